@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A point or vector of the plane. Lengths are in cell diameters. Every operation is a fixed sequence of IEEE
+// additions and multiplications, so that a quarter turn of all arguments turns the result to the bit.
+#pragma once
+
+#include <cmath>
+
+namespace planula {
+
+template <class T> struct Vec2 {
+    T x = 0, y = 0;
+
+    friend Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+    friend Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+    friend Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
+    friend Vec2 operator*(Vec2 a, T s) { return {a.x * s, a.y * s}; }
+    friend Vec2 operator*(T s, Vec2 a) { return {a.x * s, a.y * s}; }
+    friend Vec2 operator/(Vec2 a, T s) { return {a.x / s, a.y / s}; }
+    friend bool operator==(Vec2 a, Vec2 b) = default;
+    Vec2 &operator+=(Vec2 b) { return *this = *this + b; }
+    Vec2 &operator-=(Vec2 b) { return *this = *this - b; }
+};
+
+using Vec2d = Vec2<double>;
+using Vec2f = Vec2<float>;
+
+template <class T> T dot(Vec2<T> a, Vec2<T> b) { return a.x * b.x + a.y * b.y; }
+template <class T> T cross(Vec2<T> a, Vec2<T> b) { return a.x * b.y - a.y * b.x; }
+template <class T> T squared_length(Vec2<T> a) { return dot(a, a); }
+template <class T> T length(Vec2<T> a) { return std::sqrt(dot(a, a)); }
+/// The vector turned a quarter turn clockwise: the right-hand normal of a direction.
+template <class T> Vec2<T> right_normal(Vec2<T> a) { return {a.y, -a.x}; }
+template <class T> bool is_finite(Vec2<T> a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+
+} // namespace planula

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Which cells are neighbours: links and triangles over cell centres, and the outline they bound. Cells are
+// indices into the positions, in ascending order of cell id.
+#pragma once
+
+#include "base/vec2.h"
+
+#include <span>
+#include <vector>
+
+namespace planula {
+
+/// An undirected link, a < b.
+struct Link {
+    int a = 0, b = 0;
+    friend auto operator<=>(const Link &, const Link &) = default;
+};
+
+/// A triangle, counter-clockwise, the lowest index first.
+struct Triangle {
+    int a = 0, b = 0, c = 0;
+    friend auto operator<=>(const Triangle &, const Triangle &) = default;
+};
+
+struct Mesh {
+    std::vector<Link> links;         // ascending
+    std::vector<Triangle> triangles; // ascending
+};
+
+/// A link on the outline: in exactly one triangle, and then directed from a to b with the body on the left,
+/// or in none, and then directed from the lower to the higher index.
+struct OutlineLink {
+    int a = 0, b = 0;
+    bool solid = false; // in a triangle
+    int previous = -1; // index in the outline of the link that ends in a on the same contour; -1 if not solid
+    int next = -1;     // index in the outline of the link that starts in b on the same contour
+};
+
+/// The outline, ordered by the lower, then the higher index of each link's ends. A vertex at which the body
+/// touches itself has several contours; `previous` and `next` stay on one by turning through its triangles.
+std::vector<OutlineLink> outline(const Mesh &mesh);
+
+/// For each of `count` cells its neighbours by links, ascending.
+std::vector<std::vector<int>> neighbours(const Mesh &mesh, int count);
+
+} // namespace planula

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The contract between genes and biology: which input and which output of the control network means what
+// (§2.2, 2.3, 2.6; MODEL section 2). The two actuations share the inputs and the first four outputs.
+#pragma once
+
+namespace planula {
+
+enum class Actuation { oscillator, grn };
+
+inline const char *name_of(Actuation actuation) {
+    return actuation == Actuation::oscillator ? "oscillator" : "grn";
+}
+
+namespace input {
+enum Channel {
+    x,
+    y,
+    maternal_east,
+    maternal_west,
+    maternal_north,
+    maternal_south,
+    morphogen,
+    time,
+    bias,
+    count
+};
+}
+
+namespace output {
+enum Channel {
+    division_inhibitor,
+    division_angle,
+    apoptosis,
+    morphogen,
+    period,     // oscillator only
+    phase,      // oscillator only
+    spring = 4, // grn only: the actuation signal s
+};
+inline constexpr int count(Actuation actuation) { return actuation == Actuation::oscillator ? 6 : 5; }
+} // namespace output
+
+/// Feed-forward networks are stateless and acyclic; those of the GRN may be recurrent and keep their state.
+inline constexpr bool is_recurrent(Actuation actuation) { return actuation == Actuation::grn; }
+
+} // namespace planula

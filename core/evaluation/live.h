@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Genome in, life out: development, embodiment and locomotion in one pure function. It draws no random
+// number, reads no clock and keeps nothing between calls.
+#pragma once
+
+#include "body/body.h"
+#include "cell/channels.h"
+#include "evaluation/life.h"
+#include "genome/genome.h"
+#include "parameters/parameters.h"
+#include "physics/environment.h"
+
+#include <functional>
+#include <span>
+
+namespace planula {
+
+/// What a life can be watched by: a picture of each moment. Every member may be empty.
+struct Watch {
+    /// Development: step, cell centres (development frame), links as pairs of indices. Called after the
+    /// neighbourhood is computed and before the step's physics, and once at the end.
+    std::function<void(int step, std::span<const Vec2d> cells, std::span<const Link> links)> grow;
+    /// The finished body, before locomotion.
+    std::function<void(const Body &body)> born;
+    /// Locomotion, after each `step` of 0 … locomotion_steps (0: at rest): node positions (world frame) and
+    /// the actuation signal of each cell in [-1, 1] (oscillator: the sine).
+    std::function<void(int step, std::span<const Vec2d> nodes, std::span<const double> signal)> move;
+};
+
+Life live(const Genome &genome, Actuation actuation, double actuation_range, const Environment &environment,
+          const Parameters &parameters, const Watch &watch = {});
+
+} // namespace planula

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The record of a whole run's structural innovations: the same link or split gets the same marking in every
+// genome (§2.7.1; MN keeps the record for the whole run).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace planula {
+
+class Innovations {
+  public:
+    /// Node ids from `first_node` on are free for splits.
+    explicit Innovations(int first_node = 0) : next_node_(first_node) {}
+
+    /// The innovation number of a link between two nodes, new at its first mention.
+    int link(int from, int to);
+    /// The nodes that splits of this link have made so far, oldest first.
+    std::span<const int> splits(int from, int to) const;
+    /// Records a further split of this link and returns the id of its node.
+    int new_split(int from, int to);
+
+    int links() const { return next_link_; }
+    int next_node() const { return next_node_; }
+
+  private:
+    // Only looked up by key, never walked: the order of a hash table reaches no result.
+    std::unordered_map<std::uint64_t, int> links_;
+    std::unordered_map<std::uint64_t, std::vector<int>> splits_;
+    int next_link_ = 0;
+    int next_node_ = 0;
+};
+
+} // namespace planula

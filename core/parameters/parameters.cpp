@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "parameters/parameters.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+namespace planula {
+
+namespace {
+
+std::vector<ParameterRow> make_rows() {
+    std::vector<ParameterRow> rows;
+    std::string_view section;
+#define SECTION(title) section = title;
+#define PARAMETER(type, name, value, lowest, highest, unit, origin, meaning)                                 \
+    rows.push_back(                                                                                          \
+        {section, #name, unit, origin, meaning, std::is_same_v<type, int>, value, lowest, highest});
+#include "parameters/parameters.inl"
+    return rows;
+}
+
+const ParameterRow &row_of(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const auto &row : parameter_rows()) {
+        if (row.name == name) return row;
+        names.push_back(row.name);
+    }
+    const std::string nearest = nearest_name(name, names);
+    throw InputError("no parameter is called '" + std::string(name) + "'" +
+                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+}
+
+/// Calls use(field) with a reference to the field of that name; const or not as `parameters` is.
+template <class P, class Use> void with_field(P &parameters, std::string_view name, Use use) {
+#define SECTION(title)
+#define PARAMETER(type, field, ...)                                                                          \
+    if (name == #field) return use(parameters.field);
+#include "parameters/parameters.inl"
+}
+
+void require(bool holds, const char *rule) {
+    if (!holds) throw InputError(std::string("parameters break the rule: ") + rule);
+}
+
+} // namespace
+
+std::span<const ParameterRow> parameter_rows() {
+    static const std::vector<ParameterRow> rows = make_rows();
+    return rows;
+}
+
+double parameter(const Parameters &parameters, std::string_view name) {
+    double value = 0;
+    with_field(parameters, row_of(name).name, [&](auto field) { value = field; });
+    return value;
+}
+
+void set_parameter(Parameters &parameters, std::string_view name, double value) {
+    const ParameterRow &row = row_of(name);
+    const std::string said = std::string(name) + " = " + to_text(value);
+    if (!(value >= row.lowest && value <= row.highest))
+        throw InputError(said + " is outside " + to_text(row.lowest) + " … " + to_text(row.highest) + " " +
+                         std::string(row.unit) + " (" + std::string(row.meaning) + ")");
+    if (row.whole && value != std::trunc(value)) throw InputError(said + " must be a whole number");
+    with_field(parameters, name,
+               [&](auto &field) { field = static_cast<std::decay_t<decltype(field)>>(value); });
+}
+
+void check_consistency(const Parameters &p) {
+    require(p.decision_interval % p.neighbourhood_interval == 0,
+            "decision_interval is a multiple of neighbourhood_interval");
+    require(p.update_interval % p.knot_interval == 0, "update_interval is a multiple of knot_interval");
+    require(p.locomotion_steps % p.knot_interval == 0, "locomotion_steps is a multiple of knot_interval");
+    require(p.period_shortest <= p.period_longest, "period_shortest is at most period_longest");
+    require(p.species_low <= p.species_high, "species_low is at most species_high");
+    require(p.compatibility_floor <= p.compatibility_threshold,
+            "compatibility_floor is at most compatibility_threshold");
+    require(p.archive_floor <= p.archive_threshold, "archive_floor is at most archive_threshold");
+    require(p.settle_window <= p.settle_limit, "settle_window is at most settle_limit");
+    require(p.add_node_rate + p.add_link_rate + p.remove_link_rate + p.mutate_weights_rate > 0,
+            "at least one mutation operator has a weight above 0");
+}
+
+} // namespace planula

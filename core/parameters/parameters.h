@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The numbers of the model as one constant value, and the ledger that describes each of them. parameters.inl
+// is the only home of a number; this room does not know what the numbers are used for.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace planula {
+
+struct Parameters {
+#define SECTION(title)
+#define PARAMETER(type, name, value, lowest, highest, unit, origin, meaning) type name = value;
+#include "parameters/parameters.inl"
+};
+
+/// One row of the ledger: what a parameter is called, where its value comes from, and what it may be.
+struct ParameterRow {
+    std::string_view section, name, unit, origin, meaning;
+    bool whole; // an integer
+    double standard, lowest, highest;
+};
+
+/// All rows in the order of parameters.inl.
+std::span<const ParameterRow> parameter_rows();
+
+/// The value of a parameter by name. Throws InputError, with the nearest name, if there is none.
+double parameter(const Parameters &parameters, std::string_view name);
+
+/// Changes one parameter. Throws InputError that states the rule, the value and the nearest name if the name
+/// is unknown, the value is outside its range or not finite, or a whole number is asked for and not given.
+void set_parameter(Parameters &parameters, std::string_view name, double value);
+
+/// Rules between parameters (a shortest period above the longest, say). Throws InputError naming the first
+/// broken.
+void check_consistency(const Parameters &parameters);
+
+} // namespace planula
