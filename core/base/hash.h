@@ -35,4 +35,12 @@ class Hash {
 /// SHA-256 of a text's bytes, as sha256sum prints it.
 std::string sha256(std::string_view bytes);
 
+/// A 64-bit mixer: every bit of the result depends on every bit of `value` (the finaliser of SplitMix64,
+/// Steele, Lea & Flood 2014). For fixed, meaningless variety; not for secrets.
+constexpr std::uint64_t mix(std::uint64_t value) {
+    value = (value ^ value >> 30) * 0xbf58476d1ce4e5b9;
+    value = (value ^ value >> 27) * 0x94d049bb133111eb;
+    return value ^ value >> 31;
+}
+
 } // namespace planula

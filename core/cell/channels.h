@@ -12,19 +12,9 @@ inline const char *name_of(Actuation actuation) {
 }
 
 namespace input {
-enum Channel {
-    x,
-    y,
-    maternal_east,
-    maternal_west,
-    maternal_north,
-    maternal_south,
-    morphogen,
-    time,
-    bias,
-    count
-};
-}
+enum Channel { x, y, maternal_east, maternal_west, maternal_north, maternal_south, morphogen, time, bias };
+inline constexpr int count = bias + 1;
+} // namespace input
 
 namespace output {
 enum Channel {

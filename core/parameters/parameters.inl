@@ -112,7 +112,7 @@ PARAMETER(int, clone_tries, 40, 1, 1000000, "draws", "MN", "draws for a child th
 PARAMETER(double, clone_distance, 1e-5, 0, 1, "1", "MN", "genomes nearer than this are identical")
 
 SECTION("Novelty search")
-PARAMETER(int, novelty_neighbours, 15, 1, 100000, "individuals", "§2.7.2", "k of Eq. 7")
+PARAMETER(int, novelty_neighbours, 15, 1, 100000, "individuals", "§2.7.2", "k of Eq. 7: nearest neighbours that novelty is measured by")
 PARAMETER(double, archive_threshold, 0.5, 0, 1e6, "cell", "MN", "novelty above which an individual enters the archive, at the start")
 PARAMETER(double, archive_floor, 0.05, 0, 1e6, "cell", "MN", "the archive's threshold never falls below this")
 PARAMETER(int, archive_run, 8, 0, 1000000, "individuals", "§2.7.2", "after more additions one after another the threshold rises")

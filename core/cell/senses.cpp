@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "cell/senses.h"
+
+#include "base/math.h"
+#include "cell/channels.h"
+
+namespace planula {
+
+void sense(Vec2d position, double morphogen, double time, const Parameters &p, std::span<double> inputs) {
+    const double d = p.morphogen_distance;
+    const auto maternal = [&](Vec2d source) {
+        return math::exp(-length(position - source) / p.morphogen_decay);
+    };
+    inputs[input::x] = position.x / p.position_scale;
+    inputs[input::y] = position.y / p.position_scale;
+    inputs[input::maternal_east] = maternal({d, 0});
+    inputs[input::maternal_west] = maternal({-d, 0});
+    inputs[input::maternal_north] = maternal({0, d});
+    inputs[input::maternal_south] = maternal({0, -d});
+    inputs[input::morphogen] = morphogen;
+    inputs[input::time] = time;
+    inputs[input::bias] = 1;
+}
+
+void sense_morphogen(double morphogen, std::span<double> inputs) { inputs[input::morphogen] = morphogen; }
+
+double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens) {
+    double sum = 0;
+    for (const int neighbour : neighbours) sum += morphogens[neighbour];
+    return neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.size());
+}
+
+} // namespace planula

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What a cell perceives (§2.2; MODEL section 2): where it is, directly and through four maternal morphogens,
+// what its neighbours say, and how late it is. Positions are in the development frame.
+#pragma once
+
+#include "base/vec2.h"
+#include "parameters/parameters.h"
+
+#include <span>
+
+namespace planula {
+
+/// Fills the nine inputs. `morphogen` is the mean of the neighbours' morphogen outputs, `time` runs from 0
+/// to 1.
+void sense(Vec2d position, double morphogen, double time, const Parameters &parameters,
+           std::span<double> inputs);
+
+/// Only the morphogen input; all others stay.
+void sense_morphogen(double morphogen, std::span<double> inputs);
+
+/// Mean of morphogens[i] over the neighbours, in ascending order; 0 without neighbours.
+double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens);
+
+} // namespace planula

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "development/embryo.h"
+
+namespace planula {
+
+Embryo zygote(int network_nodes) {
+    Embryo embryo;
+    embryo.cells.resize(1);
+    embryo.cells[0].activations.assign(static_cast<std::size_t>(network_nodes), 0.0);
+    embryo.neighbours.resize(1);
+    return embryo;
+}
+
+std::vector<Vec2d> positions(const Embryo &embryo) {
+    std::vector<Vec2d> result;
+    for (const Cell &cell : embryo.cells) result.push_back(cell.position);
+    return result;
+}
+
+} // namespace planula

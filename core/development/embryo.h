@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The state of a growing embryo: disks in a plane, each with a copy of the control network's activations
+// (§2.1). Cells are in ascending order of id, and indices into `cells` are what links mean.
+#pragma once
+
+#include "body/mesh.h"
+
+#include <vector>
+
+namespace planula {
+
+struct Cell {
+    int id = 0; // 0 is the zygote; daughters count on
+    Vec2d position, velocity;
+    Vec2d orientation{1, 0};         // unit vector
+    double morphogen = 0;            // the output at the latest decision
+    std::vector<double> activations; // one per node of the network
+};
+
+struct Embryo {
+    std::vector<Cell> cells;
+    Mesh mesh;                                // as of the last refresh
+    std::vector<std::vector<int>> neighbours; // of each cell in that mesh
+    int births = 1;                           // cells created, the zygote included
+    int largest = 1;                          // most cells alive at once
+};
+
+/// One cell at the origin, at rest, orientation +x, all activations 0.
+Embryo zygote(int network_nodes);
+
+std::vector<Vec2d> positions(const Embryo &embryo);
+
+} // namespace planula

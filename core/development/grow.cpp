@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "development/grow.h"
+
+#include "body/connect.h"
+#include "cell/senses.h"
+#include "development/division.h"
+#include "development/tissue_forces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace planula {
+
+namespace {
+
+bool all_finite(std::span<const double> values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// One update of every cell's network. All read one snapshot: the links of the last refresh and the
+/// morphogens of the last decision. Returns whether all activations are finite.
+bool update_networks(const Network &network, Actuation actuation, double time, const Parameters &parameters,
+                     Embryo &embryo) {
+    std::vector<double> morphogens;
+    for (const Cell &cell : embryo.cells) morphogens.push_back(cell.morphogen);
+    bool finite = true;
+    for (std::size_t i = 0; i < embryo.cells.size(); ++i) {
+        Cell &cell = embryo.cells[i];
+        sense(cell.position, mean_morphogen(embryo.neighbours[i], morphogens), time, parameters,
+              cell.activations);
+        is_recurrent(actuation) ? step(network, cell.activations) : evaluate(network, cell.activations);
+        cell.morphogen = cell.activations[network.inputs + output::morphogen];
+        finite = finite && all_finite(cell.activations);
+    }
+    return finite;
+}
+
+/// One decision: all networks → deaths → divisions in ascending id (§2.3). Returns how it ended.
+Outcome decide(const Network &network, Actuation actuation, double time, const Parameters &parameters,
+               Embryo &embryo) {
+    if (!update_networks(network, actuation, time, parameters, embryo)) return Outcome::exploded;
+
+    // Wishes are read before anything moves; dying cells still count as neighbours, but do not divide.
+    struct Wish {
+        int id;
+        Vec2d direction;
+    };
+    std::vector<Wish> wishes;
+    std::vector<char> dying;
+    for (std::size_t i = 0; i < embryo.cells.size(); ++i) {
+        const double *outputs = embryo.cells[i].activations.data() + network.inputs;
+        dying.push_back(outputs[output::apoptosis] > 0);
+        if (!dying.back() && !(outputs[output::division_inhibitor] > 0))
+            wishes.push_back({embryo.cells[i].id, division_direction(embryo, static_cast<int>(i),
+                                                                     outputs[output::division_angle])});
+    }
+    remove_cells(dying, embryo);
+
+    // Daughters are appended, so mothers keep their places.
+    std::size_t mother = 0;
+    for (const auto &[id, direction] : wishes) {
+        if (embryo.births >= parameters.birth_limit) break;
+        while (embryo.cells[mother].id != id) ++mother;
+        divide(static_cast<int>(mother), direction, parameters, embryo);
+        if (embryo.largest >= parameters.cell_limit) return Outcome::overgrown;
+    }
+    return embryo.cells.empty() ? Outcome::died_out : Outcome::viable;
+}
+
+/// Whether the cells can be triangulated.
+bool is_sound(std::span<const Vec2d> places) {
+    return std::all_of(places.begin(), places.end(), [](Vec2d p) { return is_finite(p); }) &&
+           !has_coincident_points(places);
+}
+
+void refresh(Mesh mesh, Embryo &embryo) {
+    embryo.mesh = std::move(mesh);
+    embryo.neighbours = neighbours(embryo.mesh, static_cast<int>(embryo.cells.size()));
+}
+
+/// All steps of development. Returns viable if cells are left that can be triangulated.
+Outcome develop(const Network &network, Actuation actuation, const Parameters &parameters,
+                const GrowthWatch &watch, Embryo &embryo) {
+    for (int step = 0; step < parameters.development_steps; ++step) {
+        if (step % parameters.decision_interval == 0) {
+            const double time = static_cast<double>(step) / parameters.development_steps;
+            const Outcome outcome = decide(network, actuation, time, parameters, embryo);
+            if (outcome != Outcome::viable) return outcome;
+        }
+        if (step % parameters.neighbourhood_interval == 0) {
+            const std::vector<Vec2d> places = positions(embryo);
+            if (!is_sound(places)) return Outcome::exploded;
+            refresh(connect(places, parameters.link_limit * 2 * parameters.cell_radius), embryo);
+        }
+        if (watch) watch(step, positions(embryo), embryo.mesh.links);
+        relax(parameters, embryo);
+    }
+    return is_sound(positions(embryo)) ? Outcome::viable : Outcome::exploded;
+}
+
+Tissue read_tissue(const Network &network, const Embryo &embryo) {
+    Tissue tissue{.nodes = network.nodes};
+    for (const Cell &cell : embryo.cells) {
+        tissue.activations.insert(tissue.activations.end(), cell.activations.begin(), cell.activations.end());
+        tissue.morphogens.push_back(cell.morphogen);
+    }
+    return tissue;
+}
+
+} // namespace
+
+Growth grow(const Network &network, Actuation actuation, const Parameters &parameters,
+            const GrowthWatch &watch) {
+    Embryo embryo = zygote(network.nodes);
+    Growth growth;
+    growth.outcome = develop(network, actuation, parameters, watch, embryo);
+    growth.cells = static_cast<int>(embryo.cells.size());
+    growth.largest = embryo.largest;
+    growth.births = embryo.births;
+    if (growth.outcome != Outcome::viable) return growth;
+
+    // One last triangulation is the template of the body; oscillators are read out over it, at time 1
+    // (§2.6.1).
+    growth.body = make_body(positions(embryo), parameters.link_limit * 2 * parameters.cell_radius);
+    refresh(growth.body.mesh, embryo);
+    if (watch) watch(parameters.development_steps, growth.body.positions, growth.body.mesh.links);
+    if (actuation == Actuation::oscillator && !update_networks(network, actuation, 1, parameters, embryo))
+        growth.outcome = Outcome::exploded;
+    else if (growth.cells < parameters.minimum_cells)
+        growth.outcome = Outcome::too_small;
+    growth.tissue = read_tissue(network, embryo);
+    return growth;
+}
+
+} // namespace planula

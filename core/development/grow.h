@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Development: from one cell to a body (§2.1–2.4; MODEL section 1). Every decision_interval steps each cell's
+// network decides on death and division; between decisions the cells settle as disks on springs in a viscous
+// fluid. No chance is taken, and nothing is known of the world that the body will move in.
+#pragma once
+
+#include "body/body.h"
+#include "body/outcome.h"
+#include "cell/channels.h"
+#include "cell/tissue.h"
+#include "network/network.h"
+#include "parameters/parameters.h"
+
+#include <functional>
+
+namespace planula {
+
+struct Growth {
+    Outcome outcome = Outcome::viable; // viable, died_out, too_small, overgrown or exploded
+    int cells = 0;                     // at the end, or when growth stopped
+    int largest = 0;
+    int births = 0;
+    Body body;     // of a viable or too small embryo
+    Tissue tissue; // likewise
+};
+
+/// Called before the physics of each step, and once with the finished body's mesh at step development_steps.
+using GrowthWatch =
+    std::function<void(int step, std::span<const Vec2d> positions, std::span<const Link> links)>;
+
+Growth grow(const Network &network, Actuation actuation, const Parameters &parameters,
+            const GrowthWatch &watch = {});
+
+} // namespace planula

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/spec.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "evolution/search.h"
+
+#include <algorithm>
+
+namespace planula {
+
+namespace {
+
+bool is_file_name(const std::string &name) {
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    };
+    return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), allowed);
+}
+
+} // namespace
+
+void check_spec(const Spec &spec) {
+    if (!is_file_name(spec.name))
+        throw InputError("the name of a setting is 1 to 100 letters, digits, '-' and '_', not '" + spec.name +
+                         "'");
+    if (!(spec.actuation_range >= 0 && spec.actuation_range <= 0.9))
+        throw InputError("actuation_range is between 0 and 0.9 rest lengths, not " +
+                         to_text(spec.actuation_range));
+    if (!spec.judge) throw InputError("setting " + spec.name + " has no fitness, penalty and behaviour");
+    make_search(spec.search, spec.parameters);
+    check_environment(spec.environment);
+    check_consistency(spec.parameters);
+}
+
+} // namespace planula

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Muscles: how the cells change the rest lengths of their springs over time (§2.5, 2.6; MODEL section 4). A
+// gait gives each cell's actuation signal; oscillators and networks are its two kinds. It senses nothing of
+// the moving body.
+#pragma once
+
+#include "body/body.h"
+#include "cell/channels.h"
+#include "cell/tissue.h"
+#include "network/network.h"
+#include "parameters/parameters.h"
+
+#include <memory>
+#include <span>
+
+namespace planula {
+
+class Gait {
+  public:
+    virtual ~Gait() = default;
+
+    /// The signal of each cell in [-1, 1] at step t, written to `signal`. Called once for each knot t = 0,
+    /// knot_interval, 2·knot_interval, …, in this order.
+    virtual void signals(int t, std::span<double> signal) = 0;
+    /// b_a of Eq. (5) over the updates so far; 0 with oscillators.
+    virtual double activity() const { return 0; }
+    /// False once an activation is not finite.
+    virtual bool is_sound() const { return true; }
+};
+
+/// The gait of a body whose cells ended development in this state. Network, body and parameters must outlive
+/// it.
+std::unique_ptr<Gait> make_gait(Actuation actuation, const Network &network, const Body &body,
+                                const Tissue &tissue, const Parameters &parameters);
+
+/// The rest length of a spring between cells with signals a1 and a2: L = (1 + r (a1 + a2)/2) L0. With r the
+/// largest change when both agree, this is Eq. (1) with A = r/2, which adds two sines, and Eq. (3) with A =
+/// r, which averages two outputs. `ramp` in [0, 1] scales r.
+inline double actuated_length(double L0, double range, double ramp, double a1, double a2) {
+    return (1 + ramp * range * (a1 + a2) / 2) * L0;
+}
+
+/// min(1, t / ramp_steps): the amplitude rises at the start (§2.5).
+double ramp(int t, const Parameters &parameters);
+
+} // namespace planula

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "locomotion/oscillator.h"
+
+#include "base/math.h"
+
+namespace planula {
+
+std::vector<Oscillator> read_oscillators(const Network &network, const Tissue &tissue, const Parameters &p) {
+    std::vector<Oscillator> oscillators;
+    for (int cell = 0; cell < static_cast<int>(tissue.morphogens.size()); ++cell) {
+        const std::span<const double> outputs = tissue.row(cell).subspan(network.inputs);
+        const double share = (outputs[output::period] + 1) / 2;
+        oscillators.push_back({p.period_shortest + share * (p.period_longest - p.period_shortest),
+                               math::pi * outputs[output::phase]});
+    }
+    return oscillators;
+}
+
+Oscillators::Oscillators(std::span<const Oscillator> oscillators, const Parameters &parameters) {
+    for (const auto &[period, phase] : oscillators) {
+        const double turn = 2 * math::pi * parameters.knot_interval / period;
+        phasors_.push_back({math::sin(phase), math::cos(phase), math::sin(turn), math::cos(turn)});
+    }
+}
+
+void Oscillators::signals(int t, std::span<double> signal) {
+    for (std::size_t i = 0; i < phasors_.size(); ++i) {
+        auto &[sine, cosine, turn_sine, turn_cosine] = phasors_[i];
+        if (t > 0) {
+            const double turned = sine * turn_cosine + cosine * turn_sine;
+            cosine = cosine * turn_cosine - sine * turn_sine;
+            sine = turned;
+        }
+        signal[i] = sine;
+    }
+}
+
+} // namespace planula

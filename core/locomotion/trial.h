@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The locomotion stage: settle → ramp → move (§2.5, 2.6; MODEL sections 3 and 4).
+#pragma once
+
+#include "body/outcome.h"
+#include "locomotion/gait.h"
+#include "physics/engine.h"
+
+#include <functional>
+#include <vector>
+
+namespace planula {
+
+struct Trial {
+    Outcome outcome = Outcome::viable; // viable, never_settled or exploded
+    int settle_steps = 0;              // until the body was at rest; 0 without gravity
+    Vec2d rest, end;                   // centre of mass at rest and after the last step
+    double activity = 0;               // b_a of Eq. (5)
+    std::vector<Vec2d> path;           // centre of mass every path_interval steps from rest on
+};
+
+/// Called at rest (step 0) and after every step, with node positions and each cell's signal.
+using MoveWatch =
+    std::function<void(int step, std::span<const Vec2d> positions, std::span<const double> signal)>;
+
+/// Loads the body into the engine, lets it settle if there is gravity, and moves it for locomotion_steps.
+Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range, Gait &gait,
+               Engine &engine, const MoveWatch &watch = {});
+
+} // namespace planula

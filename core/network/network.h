@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The control network of one genome, constant, and the activations of one cell's copy of it (§2.1, 2.2; MODEL
+// section 2). Every node but the inputs computes tanh of the weighted sum of its sources; there is no node
+// bias. A network knows neither what its inputs mean nor who owns its activations.
+#pragma once
+
+#include "genome/genome.h"
+
+#include <span>
+#include <vector>
+
+namespace planula {
+
+struct Network {
+    int inputs = 0, outputs = 0; // nodes: inputs first (the bias last among them), then outputs, then hidden
+    int nodes = 0;
+    int depth = 0; // longest path from an input to an output, in links
+
+    struct Source {
+        int node;
+        double weight;
+    };
+    std::vector<Source> sources;   // grouped by target, in order of innovation
+    std::vector<int> first_source; // of target inputs + i; one more than there are targets
+};
+
+/// The network that a genome describes. `propagation_limit` caps the depth.
+Network express(const Genome &genome, int propagation_limit);
+
+/// One synchronous step: every link reads its source's old activation. `activations` holds one value per
+/// node; the inputs must be set before.
+void step(const Network &network, std::span<double> activations);
+
+/// A stateless evaluation: all activations but the inputs cleared, then as many steps as the network is deep.
+void evaluate(const Network &network, std::span<double> activations);
+
+} // namespace planula

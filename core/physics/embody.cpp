@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "physics/embody.h"
+
+#include "physics/laws/contact.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace planula {
+
+namespace {
+
+/// Cells that end a solid outline link, ascending.
+std::vector<int> solid_outline_cells(const std::vector<OutlineLink> &outline) {
+    std::vector<int> cells;
+    for (const auto &link : outline)
+        if (link.solid) cells.push_back(link.a);
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+}
+
+/// Links that never push a cell: those of loose chains, those of the cell and its neighbours, and those that
+/// lay near it at the end of development.
+std::vector<char> contact_masks(const Body &body, const std::vector<int> &cells, double near) {
+    const auto adjacent = neighbours(body.mesh, body.cells());
+    std::vector<char> masked;
+    for (const int cell : cells) {
+        const auto close = [&](int other) {
+            return other == cell || std::binary_search(adjacent[cell].begin(), adjacent[cell].end(), other);
+        };
+        for (const auto &link : body.outline) {
+            const Vec2d p = body.positions[cell];
+            const auto foot = foot_on_segment(p, body.positions[link.a], body.positions[link.b]);
+            masked.push_back(!link.solid || close(link.a) || close(link.b) ||
+                             squared_length(p - foot.point) < near * near);
+        }
+    }
+    return masked;
+}
+
+/// The shift from the development frame to the world frame.
+Vec2d placement(const Body &body, const Environment &environment) {
+    const Vec2d centre = centre_of_mass(body.positions);
+    if (!environment.has_ground) return -centre;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2d p : body.positions)
+        lowest = std::min(lowest, p.y - ground_height(environment, p.x - centre.x));
+    return {-centre.x, -lowest};
+}
+
+} // namespace
+
+SoftBodyModel embody(const Body &body, const Environment &environment, const Parameters &parameters) {
+    SoftBodyModel model{.positions = body.positions,
+                        .links = body.mesh.links,
+                        .rest_lengths = body.rest_lengths,
+                        .triangles = body.mesh.triangles,
+                        .areas = body.areas,
+                        .outline = body.outline,
+                        .contact_cells = solid_outline_cells(body.outline),
+                        .parameters = parameters};
+    model.masked = contact_masks(body, model.contact_cells, parameters.contact_mask_distance);
+    const Vec2d shift = placement(body, environment);
+    for (Vec2d &position : model.positions) position += shift;
+    return model;
+}
+
+} // namespace planula

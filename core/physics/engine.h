@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The physics seam: an engine moves one soft body through its world, step by step.
+#pragma once
+
+#include "physics/environment.h"
+#include "physics/soft_body.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace planula {
+
+/// What a step came to.
+struct Motion {
+    double fastest = 0;    // largest node speed after the step, cells/t.u.
+    bool exploded = false; // a node beyond node_speed_limit, or a number that is not finite
+};
+
+class Engine {
+  public:
+    virtual ~Engine() = default;
+
+    /// Takes the body at rest. Model and environment must outlive the engine's use of them.
+    virtual void load(const SoftBodyModel &model, const Environment &environment) = 0;
+    /// One physics step with these rest lengths, one per link, and an extra damping of all motion (1/t.u.).
+    virtual Motion step(std::span<const double> rest_lengths, double damping) = 0;
+    /// Node positions and velocities, world frame.
+    virtual std::vector<Vec2d> positions() const = 0;
+    virtual std::vector<Vec2d> velocities() const = 0;
+};
+
+} // namespace planula

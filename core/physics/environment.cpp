@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "physics/environment.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace planula {
+
+namespace {
+
+void require(bool holds, const std::string &rule, double value) {
+    if (!holds) throw InputError("environment: " + rule + ", not " + to_text(value));
+}
+
+void require_amount(const char *name, double value) {
+    require(std::isfinite(value) && value >= 0, std::string(name) + " must be a finite number, 0 or more",
+            value);
+}
+
+} // namespace
+
+void check_environment(const Environment &environment) {
+    require_amount("gravity", environment.gravity);
+    require_amount("friction", environment.friction);
+    require_amount("normal drag", environment.drag_normal);
+    require_amount("tangential drag", environment.drag_tangential);
+    require(std::isfinite(environment.flow.x), "flow must be finite", environment.flow.x);
+    require(std::isfinite(environment.flow.y), "flow must be finite", environment.flow.y);
+    require(environment.gravity == 0 || environment.has_ground,
+            "gravity without ground lets a body fall for ever: give a ground, or gravity 0",
+            environment.gravity);
+
+    // A polyline of finite points, from left to right.
+    const auto &ground = environment.ground;
+    require(ground.size() != 1, "a polyline ground needs two points or more", 1);
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        require(std::isfinite(ground[i].x), "ground points must be finite", ground[i].x);
+        require(std::isfinite(ground[i].y), "ground points must be finite", ground[i].y);
+        require(i == 0 || ground[i - 1].x < ground[i].x, "ground points must ascend in x", ground[i].x);
+    }
+}
+
+double ground_height(const Environment &environment, double x) {
+    const auto &ground = environment.ground;
+    if (ground.empty()) return 0;
+    if (x <= ground.front().x) return ground.front().y;
+    if (x >= ground.back().x) return ground.back().y;
+    const auto right = std::upper_bound(ground.begin(), ground.end(), x,
+                                        [](double value, Vec2d point) { return value < point.x; });
+    const Vec2d a = *(right - 1), b = *right;
+    return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
+}
+
+} // namespace planula

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Inelastic contact with the ground and exact Coulomb friction, by projected velocities (§2.5; MODEL section
+// 3).
+#pragma once
+
+#include "base/vec2.h"
+
+#include <algorithm>
+
+namespace planula {
+
+/// A straight piece of ground: a point of it and its unit normal, upwards.
+template <class T> struct GroundPlane { Vec2<T> point, normal{0, 1}; };
+
+/// The velocity after contact of a node that would be below the ground at the end of the step: the normal
+/// part just brings it to the ground, the tangential part moves towards 0 by at most friction × that impulse.
+template <class T>
+Vec2<T> ground_contact(Vec2<T> position, Vec2<T> velocity, const GroundPlane<T> &ground, T friction,
+                       T time_step) {
+    const Vec2<T> along = right_normal(ground.normal);
+    const T up = dot(velocity, ground.normal);
+    const T gap = dot(position - ground.point, ground.normal) + up * time_step;
+    if (!(gap < 0)) return velocity;
+    const T impulse = -gap / time_step;
+    const T sliding = dot(velocity, along), slowed = std::max(std::abs(sliding) - friction * impulse, T(0));
+    return ground.normal * (up + impulse) + along * (sliding < 0 ? -slowed : slowed);
+}
+
+} // namespace planula

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/run.h"
+
+#include "base/error.h"
+#include "experiment/signature.h"
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <set>
+
+using namespace planula;
+
+namespace {
+
+Spec small(const std::string &search, Actuation actuation = Actuation::oscillator) {
+    Spec spec;
+    spec.name = "small";
+    spec.actuation = actuation;
+    spec.actuation_range = spec.parameters.actuation_range_aquatic;
+    spec.search = search;
+    spec.environment = specimens::water();
+    spec.parameters.population = 12;
+    spec.parameters.generations = 4;
+    spec.parameters.locomotion_steps = 400;
+    spec.judge = [](const Life &life) {
+        const bool viable = life.outcome == Outcome::viable;
+        return Evaluation{life.displacement(), {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
+    };
+    return spec;
+}
+
+std::string signature(const Spec &spec, std::uint64_t seed, int threads) {
+    Signature hash;
+    run(spec, seed, threads, [&](const Generation &generation) { hash.observe(generation); });
+    return hash.hex();
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_is_a_function_of_its_seed_for_any_number_of_threads) {
+    for (const std::string search : {"neat", "novelty"}) {
+        const std::string one = signature(small(search), 1, 1);
+        for (const int threads : {2, 3, 7}) BOOST_TEST(signature(small(search), 1, threads) == one);
+        BOOST_TEST(signature(small(search), 2, 2) != one);
+    }
+    BOOST_TEST(signature(small("neat"), 1, 2) != signature(small("novelty"), 1, 2));
+}
+
+BOOST_AUTO_TEST_CASE(every_generation_is_observed_once_and_complete) {
+    const Spec spec = small("neat", Actuation::grn);
+    int expected = 0;
+    run(spec, 3, 2, [&](const Generation &generation) {
+        BOOST_TEST(generation.number == expected++);
+        BOOST_TEST(generation.population.genomes.size() == 12u);
+        BOOST_TEST(generation.lives.size() == 12u);
+        BOOST_TEST(generation.scores.size() == 12u);
+        for (const Evaluation &e : generation.evaluations)
+            BOOST_TEST(e.fitness <= generation.evaluations[generation.best].fitness);
+        std::set<int> slots;
+        for (const Species &species : generation.population.species)
+            slots.insert(species.members.begin(), species.members.end());
+        BOOST_TEST(slots.size() == 12u);
+    });
+    BOOST_TEST(expected == 4);
+}
+
+BOOST_AUTO_TEST_CASE(the_best_fitness_never_falls_when_fitness_is_searched) {
+    // Each species breeds an unchanged copy of its champion, and evaluation is pure.
+    Spec spec = small("neat");
+    spec.parameters.population = 20;
+    spec.parameters.generations = 6;
+    double best = 0;
+    run(spec, 5, 2, [&](const Generation &generation) {
+        const double now = generation.evaluations[generation.best].fitness;
+        BOOST_TEST(now >= best);
+        best = now;
+    });
+    BOOST_TEST(best > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_request_to_stop_ends_the_run) {
+    int generations = 0;
+    BOOST_CHECK_THROW(run(
+                          small("neat"), 1, 2, [&](const Generation &) { ++generations; },
+                          [&] { return generations == 2; }),
+                      Stopped);
+    BOOST_TEST(generations == 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_judgement_that_is_no_number_is_a_broken_promise) {
+    Spec spec = small("neat");
+    spec.judge = [](const Life &) { return Evaluation{-1, {0, 0}, 1}; };
+    BOOST_CHECK_THROW(run(spec, 1, 1, [](const Generation &) {}), InternalError);
+}

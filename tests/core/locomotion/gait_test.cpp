@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "locomotion/gait.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace planula;
+
+namespace {
+
+const auto near = boost::test_tools::tolerance(1e-14);
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_amplitude_rises_over_the_ramp) {
+    const Parameters p;
+    BOOST_TEST(ramp(0, p) == 0);
+    BOOST_TEST(ramp(50, p) == 0.25);
+    BOOST_TEST(ramp(200, p) == 1);
+    BOOST_TEST(ramp(4000, p) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(cells_in_accord_change_a_rest_length_by_the_whole_range) {
+    BOOST_TEST(actuated_length(2, 0.4, 1, 1, 1) == 2.8, near);
+    BOOST_TEST(actuated_length(2, 0.4, 1, -1, -1) == 1.2, near);
+    BOOST_TEST(actuated_length(2, 0.4, 1, 1, -1) == 2);
+    BOOST_TEST(actuated_length(2, 0.4, 0.5, 1, 0) == 2.2, near);
+}

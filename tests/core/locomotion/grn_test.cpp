@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "locomotion/grn.h"
+
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace planula;
+using namespace planula::specimens;
+
+namespace {
+
+/// Two linked cells whose spring output follows its own old value: s ← tanh(w s), from these starts.
+struct Pair {
+    explicit Pair(double weight, double first, double second) {
+        Genome genome = bare_genome(Actuation::grn);
+        const int spring = genome.inputs + output::spring;
+        add_link(genome, spring, spring, weight);
+        wire(genome, input::morphogen, output::morphogen, 1);
+        network = express(genome, 16);
+        tissue.nodes = network.nodes;
+        tissue.activations.assign(2 * static_cast<std::size_t>(network.nodes), 0);
+        tissue.row(0)[spring] = first, tissue.row(1)[spring] = second;
+        tissue.morphogens = {0.5, -0.25};
+    }
+    Network network;
+    Body body = make_body({{0, 0}, {1, 0}}, 1.5);
+    Tissue tissue;
+    Parameters parameters;
+};
+
+const auto near = boost::test_tools::tolerance(1e-14);
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(signals_move_linearly_one_interval_behind_the_updates) {
+    const Pair pair(-3, 0.5, 0);
+    GrnMuscles gait(pair.network, pair.body, pair.tissue, pair.parameters);
+    const double s1 = std::tanh(-1.5), s2 = std::tanh(-3 * s1);
+    std::vector<double> signal(2);
+    for (int t = 0; t <= 100; t += 10) {
+        gait.signals(t, signal);
+        // Eq. (2); the first previous output is 0, whatever development left.
+        const double expected = t < 50 ? t / 50.0 * s1 : s1 + (t - 50) / 50.0 * (s2 - s1);
+        BOOST_TEST(signal[0] == (t == 100 ? s2 : expected), near);
+        BOOST_TEST(signal[1] == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(there_are_eighty_updates_and_the_last_is_reached_at_the_end) {
+    const Pair pair(-3, 0.5, 0);
+    GrnMuscles gait(pair.network, pair.body, pair.tissue, pair.parameters);
+    double s = 0.5, sum = 0;
+    std::vector<double> signal(2);
+    for (int t = 0; t <= 4000; t += 10) gait.signals(t, signal);
+    for (int u = 1; u <= 80; ++u) {
+        const double next = std::tanh(-3 * s);
+        if (u > 1) sum += std::abs(next - s);
+        s = next;
+    }
+    BOOST_TEST(signal[0] == s, near);
+    BOOST_TEST(gait.activity() == sum / (2 * 2 * 79), boost::test_tools::tolerance(1e-12)); // Eq. (5)
+}
+
+BOOST_AUTO_TEST_CASE(the_activity_of_cells_that_flip_from_end_to_end_is_one) {
+    // Weight −100 drives the output to ±1 at every update, in both cells.
+    const Pair pair(-100, 1, 1);
+    GrnMuscles gait(pair.network, pair.body, pair.tissue, pair.parameters);
+    std::vector<double> signal(2);
+    for (int t = 0; t <= 4000; t += 10) gait.signals(t, signal);
+    BOOST_TEST(gait.activity() == 1, near);
+}
+
+BOOST_AUTO_TEST_CASE(the_first_morphogen_is_averaged_from_the_last_decision_over_the_final_mesh) {
+    // The spring output reads the morphogen input: cell 0 hears cell 1's −0.25 first, then tanh of its own
+    // reply.
+    Genome genome = bare_genome(Actuation::grn);
+    wire(genome, input::morphogen, output::spring, 1);
+    wire(genome, input::morphogen, output::morphogen, 1);
+    const Network network = express(genome, 16);
+    Pair pair(0, 0, 0);
+    pair.tissue.nodes = network.nodes;
+    GrnMuscles gait(network, pair.body, pair.tissue, pair.parameters);
+    std::vector<double> signal(2);
+    for (int t = 0; t <= 50; t += 10) gait.signals(t, signal);
+    BOOST_TEST(signal[0] == std::tanh(-0.25), near);
+    BOOST_TEST(signal[1] == std::tanh(0.5), near);
+    for (int t = 60; t <= 100; t += 10) gait.signals(t, signal);
+    BOOST_TEST(signal[0] == std::tanh(std::tanh(0.5)), near);
+}
+
+BOOST_AUTO_TEST_CASE(an_activation_that_is_not_finite_is_noticed) {
+    Pair pair(-3, 0.5, 0);
+    pair.tissue.row(1)[input::count + static_cast<int>(output::spring)] =
+        std::numeric_limits<double>::quiet_NaN();
+    GrnMuscles gait(pair.network, pair.body, pair.tissue, pair.parameters);
+    std::vector<double> signal(2);
+    BOOST_TEST(gait.is_sound());
+    gait.signals(0, signal);
+    BOOST_TEST(!gait.is_sound());
+}

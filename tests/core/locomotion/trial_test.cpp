@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "locomotion/trial.h"
+
+#include "physics/embody.h"
+#include "physics/native/native_engine.h"
+#include "support/print.h"
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace planula;
+using namespace planula::specimens;
+
+namespace {
+
+/// All cells follow one signal.
+struct Unison : Gait {
+    explicit Unison(std::function<double(int)> signal_of) : value(std::move(signal_of)) {}
+    void signals(int t, std::span<double> signal) override {
+        asked.push_back(t);
+        std::fill(signal.begin(), signal.end(), value(t));
+    }
+    std::function<double(int)> value;
+    std::vector<int> asked;
+};
+
+/// An engine that records the rest lengths of its first spring, and whose nodes have the speed it is told.
+struct Scribe : Engine {
+    void load(const SoftBodyModel &, const Environment &) override {}
+    Motion step(std::span<const double> rest_lengths, double damping) override {
+        lengths.push_back(rest_lengths[0]);
+        dampings.push_back(damping);
+        return {speed(static_cast<int>(lengths.size())), false};
+    }
+    std::vector<Vec2d> positions() const override { return {{static_cast<double>(lengths.size()), 0}}; }
+    std::vector<Vec2d> velocities() const override { return {{}}; }
+    std::function<double(int)> speed = [](int) { return 0.0; };
+    std::vector<double> lengths, dampings;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(step_n_uses_the_rest_lengths_of_t_n_plus_1_linear_between_knots) {
+    const auto model = embody(lattice(2, 1), water(), Parameters{});
+    Unison gait([](int t) { return std::sin(0.05 * t); });
+    Scribe engine;
+    locomote(model, water(), 0.4, gait, engine);
+    BOOST_TEST(engine.lengths.size() == 4000u);
+    const auto knot = [](int t) { return 1 + std::min(1.0, t / 200.0) * 0.4 * std::sin(0.05 * t); };
+    for (const int n : {0, 4, 9, 10, 57, 199, 200, 2345, 3999}) {
+        const int t = n + 1, start = (t - 1) / 10 * 10;
+        const double expected = knot(start) + (t - start) / 10.0 * (knot(start + 10) - knot(start));
+        BOOST_TEST(engine.lengths[n] == expected, boost::test_tools::tolerance(1e-12));
+    }
+    BOOST_TEST(gait.asked.size() == 401u);
+    BOOST_TEST(gait.asked.back() == 4000);
+}
+
+BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
+    const auto model = embody(lattice(2, 1), water(), Parameters{});
+    Unison gait([](int) { return 0.0; });
+    Scribe engine;
+    const Trial trial = locomote(model, water(), 0.4, gait, engine);
+    BOOST_TEST(trial.settle_steps == 0);
+    BOOST_TEST((trial.rest == Vec2d{0, 0}));
+    BOOST_TEST((trial.end == Vec2d{4000, 0}));
+    BOOST_TEST(trial.path.size() == 41u);
+    BOOST_TEST((trial.path[1] == Vec2d{100, 0}));
+    for (const double damping : engine.dampings) BOOST_REQUIRE(damping == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
+    // Slow from step 101 on but for one step, 500: it is at rest at step 500 + 800.
+    const auto model = embody(lattice(2, 1), land(), Parameters{});
+    Unison gait([](int) { return 0.0; });
+    Scribe engine;
+    engine.speed = [](int step) { return step <= 100 || step == 500 ? 0.05 : 0.049; };
+    const Trial trial = locomote(model, land(), 0.3, gait, engine);
+    BOOST_TEST(trial.outcome == Outcome::viable);
+    BOOST_TEST(trial.settle_steps == 1300);
+    BOOST_TEST((trial.rest == Vec2d{1300, 0}));
+    BOOST_TEST(engine.dampings[1299] == 1);
+    BOOST_TEST(engine.dampings[1300] == 0);
+    BOOST_TEST(gait.asked.front() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_limit_of_settling_includes_the_window) {
+    const auto model = embody(lattice(2, 1), land(), Parameters{});
+    Unison gait([](int) { return 0.0; });
+    Scribe just, late;
+    just.speed = [](int step) { return step <= 5200 ? 1.0 : 0.0; };
+    late.speed = [](int step) { return step <= 5201 ? 1.0 : 0.0; };
+    BOOST_TEST(locomote(model, land(), 0.3, gait, just).outcome == Outcome::viable);
+    const Trial trial = locomote(model, land(), 0.3, gait, late);
+    BOOST_TEST(trial.outcome == Outcome::never_settled);
+    BOOST_TEST(trial.settle_steps == 6000);
+    BOOST_TEST(late.lengths.size() == 6000u);
+}
+
+BOOST_AUTO_TEST_CASE(constant_actuation_leads_nowhere) {
+    // MODEL: the centre of mass moves less than 0.01 cells in the last 1000 of 4000 steps.
+    for (const bool on_land : {false, true}) {
+        const Environment environment = on_land ? land() : water();
+        const auto model = embody(lattice(6, 3), environment, Parameters{});
+        Unison gait([](int) { return 0.8; });
+        NativeEngine engine;
+        const Trial trial = locomote(model, environment, 0.3, gait, engine);
+        BOOST_TEST(trial.outcome == Outcome::viable);
+        BOOST_TEST(length(trial.path[40] - trial.path[30]) < 0.01);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(wild_signals_explode_and_end_the_trial) {
+    const auto model = embody(lattice(6, 3), water(), Parameters{});
+    Unison gait([](int t) { return t < 1000 ? 0.0 : std::numeric_limits<double>::quiet_NaN(); });
+    NativeEngine engine;
+    BOOST_TEST(locomote(model, water(), 0.4, gait, engine).outcome == Outcome::exploded);
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "physics/embody.h"
+
+#include "support/print.h"
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace planula;
+using namespace planula::specimens;
+
+namespace {
+
+/// The row of a cell among the contact cells.
+std::size_t row_of(const SoftBodyModel &model, int cell) {
+    return static_cast<std::size_t>(std::find(model.contact_cells.begin(), model.contact_cells.end(), cell) -
+                                    model.contact_cells.begin());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(in_water_the_centre_of_mass_is_the_origin) {
+    const auto model = embody(lattice(5, 3), water(), Parameters{});
+    const Vec2d centre = centre_of_mass(model.positions);
+    BOOST_TEST(std::abs(centre.x) < 1e-12);
+    BOOST_TEST(std::abs(centre.y) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(on_land_the_lowest_node_touches_the_ground_at_x_zero) {
+    const auto model = embody(lattice(5, 3), land(), Parameters{});
+    BOOST_TEST(std::abs(centre_of_mass(model.positions).x) < 1e-12);
+    const auto lower = [](Vec2d a, Vec2d b) { return a.y < b.y; };
+    BOOST_TEST(std::min_element(model.positions.begin(), model.positions.end(), lower)->y == 0);
+
+    Environment ramp = land();
+    ramp.ground = {{-10, -10}, {10, 10}};
+    const auto tilted = embody(lattice(5, 3), ramp, Parameters{});
+    double gap = 1e9;
+    for (const Vec2d p : tilted.positions) gap = std::min(gap, p.y - ground_height(ramp, p.x));
+    BOOST_TEST(std::abs(gap) < 1e-12);
+}
+
+BOOST_AUTO_TEST_CASE(only_solid_outline_cells_take_part_in_contact) {
+    // A triangle with a tail: 3 and 4 hang on a chain.
+    const Body tailed = make_body({{0, 0}, {1, 0}, {0.5, 0.8}, {2, 0}, {3, 0}}, 1.5);
+    const auto model = embody(tailed, water(), Parameters{});
+    BOOST_TEST(model.contact_cells == (std::vector<int>{0, 1, 2}));
+    for (std::size_t cell = 0; cell < 3; ++cell)
+        for (std::size_t link = 0; link < model.outline.size(); ++link)
+            if (!model.outline[link].solid) BOOST_TEST(model.is_masked(cell, link));
+
+    // The inner cell of a hexagon is not on the outline.
+    const auto hexagon = embody(lattice(3, 3), water(), Parameters{});
+    BOOST_TEST(std::count(hexagon.contact_cells.begin(), hexagon.contact_cells.end(), 4) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(links_of_a_cell_of_its_neighbours_and_near_it_are_masked) {
+    const Body body = lattice(6, 2); // 0 … 5 below, 6 … 11 above
+    const auto model = embody(body, water(), Parameters{});
+    const std::size_t corner = row_of(model, 0);
+    for (std::size_t link = 0; link < model.outline.size(); ++link) {
+        const auto &[a, b, solid, previous, next] = model.outline[link];
+        const bool close = std::min(a, b) == 0 || a == 1 || b == 1 || a == 6 || b == 6;
+        BOOST_TEST(model.is_masked(corner, link) == close, "link " << a << " - " << b);
+    }
+    Parameters wide;
+    wide.contact_mask_distance = 2;
+    const auto shy = embody(body, water(), wide);
+    for (std::size_t link = 0; link < shy.outline.size(); ++link) {
+        const auto &l = shy.outline[link];
+        if (std::min(l.a, l.b) == 2 && std::max(l.a, l.b) == 3)
+            BOOST_TEST(!shy.is_masked(corner, link)); // exactly 2 away: not nearer
+    }
+}
