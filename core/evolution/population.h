@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A population in species, and how the next one is made of it: the epoch of MODEL section 6 (MN).
+// A population in species, and the one that a run starts with (§2.7; MODEL section 6). The next one is made
+// of it by evolution/reproduce.h.
 //
 // Slot order is the order of everything: species in list order, members as placed. genomes[i] is slot i.
 #pragma once
@@ -9,7 +10,6 @@
 #include "parameters/parameters.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace planula {
@@ -19,8 +19,8 @@ struct Species {
     Genome representative;    // the first placed of this generation; children are compared with it
     int age = 0;              // generations
     int stagnation = 0;       // generations since best_ever rose
-    double best_ever = 0;     // score
-    bool best = false;        // holds the mark of the best species
+    double best_ever = 0;     // highest score, at least fitness_floor once the species has bred
+    bool best = false;        // holds the mark of the best species, which never counts as stagnating
     std::vector<int> members; // slots, as placed
 };
 
@@ -41,11 +41,8 @@ struct NetworkShape {
     bool recurrent = false;
 };
 
-/// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2).
+/// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2), placed in
+/// species one after the other.
 Population initial_population(const NetworkShape &shape, const Parameters &parameters, std::uint64_t seed);
-
-/// The next generation. `scores` are in slot order; `shared` is Search::shares_fitness().
-Population reproduce(const Population &population, std::span<const double> scores, bool shared,
-                     bool recurrent, const Parameters &parameters, std::uint64_t seed);
 
 } // namespace planula

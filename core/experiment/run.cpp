@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "evaluation/live.h"
+#include "evolution/reproduce.h"
 
 #include <algorithm>
 #include <cmath>

@@ -37,10 +37,10 @@ Knot make_knot(const SoftBodyModel &model, double range, int t, Gait &gait) {
     return knot;
 }
 
-std::vector<double> between(const std::vector<double> &from, const std::vector<double> &to, double share) {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < from.size(); ++i) result.push_back(from[i] + share * (to[i] - from[i]));
-    return result;
+/// The values between two knots, into `result`.
+void blend(const std::vector<double> &from, const std::vector<double> &to, double share,
+           std::vector<double> &result) {
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = from[i] + share * (to[i] - from[i]);
 }
 
 } // namespace
@@ -58,20 +58,23 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
     trial.path.push_back(trial.rest);
 
     // Step n uses the rest lengths of t = n + 1: exact at knots, linear between them.
-    Knot from = make_knot(model, actuation_range, 0, gait);
+    Knot from = make_knot(model, actuation_range, 0, gait), now = from;
     if (watch) watch(0, engine.positions(), from.signal);
     for (int start = 0; start < p.locomotion_steps; start += p.knot_interval) {
         Knot to = make_knot(model, actuation_range, start + p.knot_interval, gait);
         for (int j = 1; j <= p.knot_interval; ++j) {
             const double share = static_cast<double>(j) / p.knot_interval;
-            const Motion motion = engine.step(between(from.lengths, to.lengths, share), 0);
+            blend(from.lengths, to.lengths, share, now.lengths);
+            const Motion motion = engine.step(now.lengths, 0);
             if (motion.exploded || !gait.is_sound()) {
                 trial.outcome = Outcome::exploded;
                 return trial;
             }
             const int t = start + j;
             if (t % p.path_interval == 0) trial.path.push_back(centre_of_mass(engine.positions()));
-            if (watch) watch(t, engine.positions(), between(from.signal, to.signal, share));
+            if (!watch) continue;
+            blend(from.signal, to.signal, share, now.signal);
+            watch(t, engine.positions(), now.signal);
         }
         from = std::move(to);
     }

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// How one child is made: its parents, their crossover, its mutation, and what is done against clones and dead
+// ends (§2.7.1; MODEL section 6, "Child" and "Mating").
+#pragma once
+
+#include "base/random.h"
+#include "evolution/population.h"
+
+#include <span>
+
+namespace planula {
+
+/// Those that may breed.
+struct Parents {
+    std::span<const Genome> genomes;  // in slot order
+    std::span<const double> scores;   // in slot order; before any sharing, boost or penalty
+    std::span<const Species> species; // none empty, each with its members by score, the highest first
+};
+
+/// The champion of a species, unchanged.
+Genome copy_champion(const Parents &parents, const Species &species);
+
+/// A child of this species, different from all its `siblings` if clone_tries tries can make it so. It has no
+/// id yet. Innovations are recorded for rejected tries, too.
+Genome breed(const Parents &parents, const Species &species, std::span<const Genome> siblings, bool recurrent,
+             const Parameters &parameters, Innovations &innovations, Stream &stream);
+
+} // namespace planula

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/fitness_search.h"
+
+#include "base/check.h"
+
+#include <cmath>
+
+namespace planula {
+
+std::vector<double> FitnessSearch::score(const Population &population,
+                                         std::span<const Evaluation> evaluations) {
+    CHECK(evaluations.size() == population.genomes.size(), evaluations.size(), population.genomes.size());
+    std::vector<double> scores;
+    for (const auto &evaluation : evaluations) {
+        scores.push_back(evaluation.valid() ? evaluation.fitness : 0);
+        CHECK(scores.back() >= 0 && std::isfinite(scores.back()), scores.back());
+    }
+    return scores;
+}
+
+} // namespace planula

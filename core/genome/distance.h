@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// How far apart two genomes are: δ = excess + disjoint + 1.5 · mean |Δw| of the matching links, with the
+// coefficients of the parameters and *not* divided by the size of the genomes (§2.7.1; MODEL section 6). It
+// decides who shares a species with whom, who may mate, and what counts as a clone.
+#pragma once
+
+#include "genome/genome.h"
+#include "parameters/parameters.h"
+
+#include <span>
+
+namespace planula {
+
+/// δ; symmetric, 0 from a genome to itself. Genomes without a common link differ by their links alone.
+double distance(const Genome &a, const Genome &b, const Parameters &parameters);
+
+/// Whether one of `others` has as many links as this genome and lies nearer than clone_distance.
+bool is_clone(const Genome &genome, std::span<const Genome> others, const Parameters &parameters);
+
+} // namespace planula

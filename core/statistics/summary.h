@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What one number says of many, and what this room calls a sample: at least one value, all of them finite.
+// Every function of the room CHECKs its samples; only entropy knows what to say of nothing. A sample of one
+// value, or of equal values, is as good as any other: its mean, its median and all its quantiles are that
+// value.
+#pragma once
+
+#include <span>
+
+namespace planula {
+
+/// Throws InternalError if there is no value, or one that is not finite.
+void check_sample(std::span<const double> sample);
+
+/// The sum, in the order given, divided by the count.
+double mean(std::span<const double> sample);
+
+/// Quantile at `probability` in [0, 1], linear between order statistics: type 7 of Hyndman & Fan (1996), R's
+/// default.
+double quantile(std::span<const double> sample, double probability);
+
+/// The quantile at 1/2: the middle value, or the mean of the two in the middle.
+double median(std::span<const double> sample);
+
+} // namespace planula

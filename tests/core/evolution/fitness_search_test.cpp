@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/fitness_search.h"
+
+#include "base/error.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <vector>
+
+using namespace planula;
+
+BOOST_AUTO_TEST_CASE(the_score_is_the_fitness_as_judged_and_zero_for_the_invalid) {
+    Population population;
+    population.genomes.resize(3);
+    FitnessSearch search;
+    // The penalty is already in the fitness and must not count twice.
+    const std::vector<Evaluation> evaluations{{4, {}, 1}, {2, {}, 0.1}, {9, {}, 0}};
+    BOOST_TEST(search.score(population, evaluations) == (std::vector<double>{4, 2, 0}),
+               boost::test_tools::per_element());
+    BOOST_TEST(search.shares_fitness());
+    BOOST_TEST(search.archive().empty());
+    BOOST_TEST(search.archive_threshold() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(fitness_that_is_no_number_is_a_broken_promise) {
+    Population population;
+    population.genomes.resize(1);
+    FitnessSearch search;
+    for (const double fitness : {-1.0, std::numeric_limits<double>::quiet_NaN()})
+        BOOST_CHECK_THROW(search.score(population, std::vector<Evaluation>{{fitness, {}, 1}}), InternalError);
+    BOOST_CHECK_THROW(search.score(population, {}), InternalError);
+}

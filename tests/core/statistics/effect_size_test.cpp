@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "statistics/effect_size.h"
+
+#include "base/error.h"
+#include "statistics/rank_sum.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <vector>
+
+using namespace planula;
+
+BOOST_AUTO_TEST_CASE(a12_counts_wins_and_half_the_ties) {
+    const std::vector<double> a{1, 3, 5}, b{2, 3};
+    BOOST_TEST(a12(a, b) == 3.5 / 6); // 3 > 2, 3 = 3, 5 > 2, 5 > 3
+    BOOST_TEST(a12(b, a) == 2.5 / 6);
+    BOOST_TEST(a12(std::vector<double>{9, 8}, std::vector<double>{1, 2, 3}) == 1);
+    BOOST_TEST(a12(std::vector<double>{1, 2, 3}, std::vector<double>{9, 8}) == 0);
+    BOOST_TEST(a12(std::vector<double>{4}, std::vector<double>{4, 4}) == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(a12_is_the_share_of_the_rank_sum_statistic) {
+    const std::vector<double> a{1, 2, 2, 3, 5, 5, 5, 8}, b{2, 4, 5, 6, 7, 9, 9};
+    BOOST_TEST(a12(a, b) == rank_sum(a, b).statistic / (8 * 7));
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_side_is_no_sample) {
+    BOOST_CHECK_THROW(a12(std::vector<double>{}, std::vector<double>{1}), InternalError);
+    BOOST_CHECK_THROW(a12(std::vector<double>{1}, std::vector<double>{}), InternalError);
+}

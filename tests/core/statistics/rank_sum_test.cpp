@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Known answers are those of R 4.2.2, wilcox.test with the calls quoted.
+#include "statistics/rank_sum.h"
+
+#include "base/error.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+using namespace planula;
+namespace tt = boost::test_tools;
+
+namespace {
+
+const std::vector<double> a{1.83, 0.50, 1.62, 2.48, 1.68, 1.88, 1.55, 3.06, 1.30};
+const std::vector<double> b{0.878, 0.647, 0.598, 2.05, 1.06, 1.29, 1.06001, 3.14, 1.295};
+
+/// from, from + 1, … to
+std::vector<double> sequence(int from, int to) {
+    std::vector<double> result;
+    for (int i = from; i <= to; ++i) result.push_back(i);
+    return result;
+}
+
+/// ((1:count) * factor) %% modulus + offset
+std::vector<double> residues(int count, int factor, int modulus, double offset) {
+    std::vector<double> result;
+    for (int i = 1; i <= count; ++i) result.push_back(i * factor % modulus + offset);
+    return result;
+}
+
+void check(const RankSum &test, double statistic, double p, bool exact) {
+    BOOST_TEST(test.statistic == statistic);
+    BOOST_TEST(test.p == p, tt::tolerance(1e-12));
+    BOOST_TEST(test.exact == exact);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(small_samples_without_ties_are_tested_exactly) {
+    check(rank_sum(a, b), 58, 0.13591114767585355, true); // wilcox.test(a, b)
+    // wilcox.test(1:20, 21:40)
+    check(rank_sum(sequence(1, 20), sequence(21, 40)), 0, 1.4508889103849688e-11, true);
+    // x <- ((1:49) * 37) %% 101; y <- ((1:49) * 53) %% 103 + 0.5; wilcox.test(x, y)
+    check(rank_sum(residues(49, 37, 101, 0), residues(49, 53, 103, 0.5)), 1286, 0.54751439594303275, true);
+    // x <- (1:20)^2 / 7; y <- (1:20)^2 / 7 + 9.5 + (1:20) / 13; wilcox.test(x, y)
+    std::vector<double> x, y;
+    for (int i = 1; i <= 20; ++i) {
+        x.push_back(i * i / 7.0);
+        y.push_back(i * i / 7.0 + 9.5 + i / 13.0);
+    }
+    check(rank_sum(x, y), 130, 0.059563831561703591, true);
+}
+
+BOOST_AUTO_TEST_CASE(large_or_tied_samples_take_the_normal_approximation) {
+    // x <- ((1:60) * 37) %% 101; y <- ((1:55) * 53) %% 103 + 0.5; wilcox.test(x, y)
+    const auto x = residues(60, 37, 101, 0), y = residues(55, 53, 103, 0.5);
+    check(rank_sum(x, y), 1751, 0.5736446507799613, false);
+    // wilcox.test(1:3, 4:100): one sample of 50 or more is enough
+    check(rank_sum(sequence(1, 3), sequence(4, 100)), 0, 0.0033908106810643336, false);
+    // wilcox.test(c(1,2,2,3,5,5,5,8), c(2,4,5,6,7,9,9), exact = FALSE, correct = TRUE)
+    const std::vector<double> tied{1, 2, 2, 3, 5, 5, 5, 8}, others{2, 4, 5, 6, 7, 9, 9};
+    check(rank_sum(tied, others), 14.5, 0.12725393975018059, false);
+    check(rank_sum(tied, others, RankSumMethod::exact), 14.5, 0.12725393975018059, false);
+}
+
+BOOST_AUTO_TEST_CASE(either_method_can_be_forced) {
+    // wilcox.test(a, b, exact = FALSE, correct = TRUE)
+    check(rank_sum(a, b, RankSumMethod::normal), 58, 0.13332021558962748, false);
+    // wilcox.test(1:20, 21:40, exact = FALSE)
+    check(rank_sum(sequence(1, 20), sequence(21, 40), RankSumMethod::normal), 0, 6.7956151281733675e-08,
+          false);
+    // wilcox.test(x, y, exact = TRUE), x and y of 60 and 55 values as above
+    check(rank_sum(residues(60, 37, 101, 0), residues(55, 53, 103, 0.5), RankSumMethod::exact), 1751,
+          0.57499832586045585, true);
+}
+
+BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_speak) {
+    check(rank_sum(std::vector<double>{1}, std::vector<double>{2}), 0, 1, true);    // wilcox.test(1, 2)
+    check(rank_sum(std::vector<double>{3, 1}, std::vector<double>{2}), 1, 1, true); // wilcox.test(c(3, 1), 2)
+    // wilcox.test(c(1, 2), c(1.5, 1.7), exact = FALSE)
+    check(rank_sum(std::vector<double>{1, 2}, std::vector<double>{1.5, 1.7}, RankSumMethod::normal), 2, 1,
+          false);
+}
+
+BOOST_AUTO_TEST_CASE(equal_values_give_no_reason_to_doubt) {
+    check(rank_sum(std::vector<double>(20, 7), std::vector<double>(20, 7)), 200, 1, false);
+    check(rank_sum(std::vector<double>{7}, std::vector<double>{7}), 0.5, 1, false);
+}
+
+BOOST_AUTO_TEST_CASE(the_test_is_symmetric_and_knows_only_ranks) {
+    for (const auto method : {RankSumMethod::exact, RankSumMethod::normal}) {
+        const RankSum one = rank_sum(a, b, method), other = rank_sum(b, a, method);
+        BOOST_TEST(one.p == other.p);
+        BOOST_TEST(one.statistic + other.statistic == 81);
+        std::vector<double> cubes_a = a, cubes_b = b;
+        for (auto *values : {&cubes_a, &cubes_b})
+            for (double &value : *values) value = value * value * value;
+        std::reverse(cubes_a.begin(), cubes_a.end());
+        BOOST_TEST(rank_sum(cubes_a, cubes_b, method).p == one.p);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_empty_side_or_nan_is_no_sample) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    BOOST_CHECK_THROW(rank_sum(std::vector<double>{}, b), InternalError);
+    BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{}), InternalError);
+    BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{1, nan}), InternalError);
+}
