@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// From the directories of runs to what the paper shows: tidy tables, the claims with their verdicts, and
+// frames of re-lived individuals (MODEL section 9). An experiment states which claims and samples it wants;
+// the arithmetic is here and in core/statistics. Where data are missing the tables say so: a setting without
+// runs has no rows, and a claim whose data are not all there is open.
+//
+// Words: the champion of a run is its best individual so far. Runs of a setting are compared over the
+// generations that all of them have.
+#pragma once
+
+#include "experiment/spec.h"
+#include "parameters/parameters.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planula {
+
+/// A claim of the paper: that the test comes out as expected for setting a (against setting b).
+struct Claim {
+    std::string id, statement, section, paper, test, a, b;
+    int generation = 0; // counted from 1: 2000 is the last of 2000; 0: the last of the design
+    std::string expect; // of the rank-sum tests: greater, less or no_difference
+    double level = 0;   // of mean_ahead and cyclic
+    int count = 0;      // of top_runs, cyclic and elongated
+};
+
+/// What an experiment wants to know of its runs.
+struct Analysis {
+    std::string experiment;
+    std::vector<Claim> claims;
+    std::vector<std::string> endpoint_settings; // settings whose explored end points are tabled
+    double sample_share = 0;                    // of the individuals that enter the table of end points
+    double confidence = 0;                      // of all bootstrap intervals
+    int resamples = 0;
+    double significance = 0; // p-values below this decide
+    int fitness_classes = 20;
+    Parameters design; // as planned: seeds, generations and population of the whole experiment
+};
+
+/// The names valid in Claim::test.
+///
+/// Rank-sum tests of a against b (effect: A12 with bootstrap interval; two-sided p):
+///   best_at_generation  best fitness in that generation
+///   size_entropy        Eq. 8 over the history up to that generation
+///   fitness_spread      interquartile range of fitness in that generation, over the run's best fitness
+///   direction           mean resultant length of the end directions up to that generation
+///   side_switches       how often the generation's best changed sides up to that generation
+/// Expecting greater or less, p below the significance and A12 beyond 1/2 on that side reproduces, on the
+/// other side contradicts, else the test is inconclusive. Expecting no_difference, p at or above the
+/// significance and an interval around 1/2 reproduces, neither contradicts, else it is inconclusive.
+///
+/// Counts:
+///   mean_ahead  share of generations in which the mean best of a is at least that of b, with bootstrap
+///               interval; at least `level` reproduces, an interval below it contradicts
+///   top_runs    how many of the best `count` runs of both are a's; all of them reproduce, fewer than half
+///               contradict; p: chance of so many if the two did not differ (hypergeometric)
+///   elongated   how many of the best `count` runs of both are a's and have a champion more elongated than
+///   the
+///               median of the other runs' champions; judged as top_runs; p: rank-sum of the elongations
+///   cyclic      runs of a whose champion made less than `level` of its way in the last quarter; at most
+///               `count` reproduce, more contradict if they are too many beside the original's `count` of
+///               design.seeds runs (Fisher's exact test, one-sided)
+std::span<const std::string_view> claim_tests();
+
+/// Throws InputError with the rule, the value and the nearest name for whatever is wrong in an analysis.
+void check_analysis(const Analysis &analysis, std::span<const Spec> settings);
+
+/// Reads the complete runs below `runs`, after checking their hashes, and writes the tables into `out`, the
+/// manifest last. Throws InputError for damaged or foreign runs, and if there is none at all.
+void reduce(const Analysis &analysis, std::span<const Spec> settings, const std::filesystem::path &runs,
+            const std::filesystem::path &out);
+
+/// Lives the best individual of each setting again, from best_genomes.csv in `data`, and writes the frame
+/// tables into `out`. Throws InputError if a life is not the recorded one: the data are not of this
+/// experiment or version.
+void write_frames(std::span<const Spec> settings, const std::filesystem::path &data,
+                  const std::filesystem::path &out);
+
+} // namespace planula

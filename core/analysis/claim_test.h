@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The tests by which claims are judged: claim_tests() in analysis/analysis.h says what each of them does. A
+// test looks at the histories of one or two settings after a number of generations and does not know what may
+// be missing in them.
+#pragma once
+
+#include "analysis/analysis.h"
+#include "analysis/survey.h"
+
+#include <string>
+#include <string_view>
+
+namespace planula {
+
+/// What a test sees: two samples of runs after so many generations.
+struct Case {
+    const Claim &claim;
+    const Analysis &analysis;
+    const SettingRuns *a, *b; // b: null for tests of one setting
+    int generations;
+};
+
+/// What a test says.
+struct Finding {
+    std::string effect_name;
+    Maybe effect, low, high, p;
+    std::string verdict;
+};
+
+struct ClaimTest {
+    std::string_view name;
+    /// What of a claim the test uses: `expect` and two settings, `level` and two, `count` and two, or `level`
+    /// and `count` and setting a alone.
+    enum Needs { ranks, level_of_two, count_of_two, count_of_one } needs;
+    Finding (*judge)(const Case &);
+
+    bool compares_two() const { return needs != count_of_one; }
+};
+
+/// The test of that name; null if there is none.
+const ClaimTest *find_test(std::string_view name);
+
+/// The verdict of a rank-sum test: `effect` is A12 with its interval low … high.
+std::string rank_verdict(std::string_view expect, double p, double effect, double low, double high,
+                         double significance);
+
+/// The verdict on `found` out of `count` runs that were all expected.
+std::string top_verdict(int found, int count);
+
+} // namespace planula

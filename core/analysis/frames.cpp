@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/analysis.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "body/body.h"
+#include "development/embryo.h"
+#include "evaluation/live.h"
+#include "record/csv.h"
+#include "record/genome_table.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+
+namespace planula {
+
+namespace {
+
+constexpr int frames_per_stage = 6;
+using Steps = std::array<int, frames_per_stage>;
+
+/// The recorded best individual of a setting.
+struct Recorded {
+    BestGenomeRow summary; // of its first row
+    Genome genome;
+};
+
+/// A setting's individual in best_genomes.csv, if there is one.
+std::optional<Recorded> read_recorded(const std::filesystem::path &data, const Spec &spec) {
+    std::optional<Recorded> found;
+    std::vector<GenomeRow> genes;
+    for (const BestGenomeRow &row : read_table<BestGenomeRow>(data)) {
+        if (row.setting != spec.name) continue;
+        if (!found) found = Recorded{row, {}};
+        genes.push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
+    }
+    if (!found) return found;
+
+    const std::string where = (data / BestGenomeRow::file_name).string() + ": setting '" + spec.name + "': ";
+    try {
+        found->genome = genome_of(genes);
+    } catch (const InputError &error) {
+        throw InputError(where + error.what());
+    }
+    const Genome &genome = found->genome;
+    if (genome.inputs != input::count || genome.outputs != output::count(spec.actuation))
+        throw InputError(where + "a genome with " + to_text(genome.inputs) + " inputs and " +
+                         to_text(genome.outputs) + " outputs does not fit the actuation '" +
+                         name_of(spec.actuation) + "'");
+    return found;
+}
+
+/// Evenly from the start of development to its end, at steps whose neighbourhood is fresh.
+Steps growth_steps(const Parameters &p) {
+    Steps steps{};
+    for (int i = 0; i < frames_per_stage; ++i) {
+        steps[i] = static_cast<int>(std::int64_t{p.development_steps} * i / (frames_per_stage - 1));
+        if (i + 1 < frames_per_stage) steps[i] -= steps[i] % p.neighbourhood_interval;
+    }
+    return steps;
+}
+
+/// Evenly over the longest period, at the end of locomotion.
+Steps gait_steps(const Parameters &p) {
+    const int span = std::min(p.locomotion_steps, static_cast<int>(p.period_longest));
+    Steps steps{};
+    for (int i = 0; i < frames_per_stage; ++i)
+        steps[i] =
+            p.locomotion_steps - span + static_cast<int>(std::int64_t{span} * i / (frames_per_stage - 1));
+    return steps;
+}
+
+/// The tables of all settings, while they are written.
+class FrameTables {
+  public:
+    explicit FrameTables(const std::filesystem::path &out)
+        : frames_(out), cells_(out), links_(out), morphologies_(out) {}
+
+    /// Writes one picture; `signal` may be empty for all cells at rest.
+    void draw(const FrameRow &frame, std::span<const Vec2d> cells, std::span<const double> signal,
+              std::span<const Link> links, std::span<const OutlineLink> rim) {
+        FrameRow row = frame;
+        const Vec2d centre = centre_of_mass(cells);
+        row.cells = static_cast<int>(cells.size());
+        row.centre_x = centre.x, row.centre_y = centre.y;
+        frames_.write(row);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            cells_.write({row.setting, row.stage, row.frame, static_cast<int>(i), cells[i].x, cells[i].y,
+                          signal.empty() ? 0 : signal[i]});
+        std::set<Link> outer;
+        for (const OutlineLink &link : rim)
+            outer.insert({std::min(link.a, link.b), std::max(link.a, link.b)});
+        for (const Link &link : links)
+            links_.write({row.setting, row.stage, row.frame, cells[link.a].x, cells[link.a].y,
+                          cells[link.b].x, cells[link.b].y, outer.contains(link) ? 1 : 0});
+    }
+
+    void describe(const MorphologyRow &row) { morphologies_.write(row); }
+
+    void commit() {
+        frames_.commit();
+        cells_.commit();
+        links_.commit();
+        morphologies_.commit();
+    }
+
+  private:
+    TableWriter<FrameRow> frames_;
+    TableWriter<FrameCellRow> cells_;
+    TableWriter<FrameLinkRow> links_;
+    TableWriter<MorphologyRow> morphologies_;
+};
+
+/// Watches a life and draws it at the chosen steps.
+class Camera {
+  public:
+    Camera(const Spec &spec, FrameTables &tables)
+        : spec_(spec), tables_(tables), growth_(growth_steps(spec.parameters)),
+          gait_(gait_steps(spec.parameters)) {
+        // The first picture is the zygote, before its first decision (MODEL D2).
+        tables_.draw(frame("growth", 0, 0), positions(zygote(0)), {}, {}, {});
+    }
+
+    Watch watch() {
+        Watch watch;
+        watch.grow = [this](int step, std::span<const Vec2d> cells, std::span<const Link>) {
+            for (int i = 1; i < frames_per_stage; ++i)
+                if (growth_[i] == step) draw_embryo(i, step, cells);
+        };
+        watch.born = [this](const Body &body) { body_ = body; };
+        watch.move = [this](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
+            for (int i = 0; i < frames_per_stage; ++i)
+                if (gait_[i] == step)
+                    tables_.draw(frame("gait", i, step), nodes, signal, body_.mesh.links, body_.outline);
+        };
+        return watch;
+    }
+
+  private:
+    FrameRow frame(const char *stage, int number, int step) const {
+        return {.setting = spec_.name, .stage = stage, .frame = number, .step = step};
+    }
+
+    void draw_embryo(int number, int step, std::span<const Vec2d> cells) {
+        const Parameters &p = spec_.parameters;
+        const Body body = make_body({cells.begin(), cells.end()}, p.link_limit * 2 * p.cell_radius);
+        tables_.draw(frame("growth", number, step), cells, {}, body.mesh.links, body.outline);
+    }
+
+    const Spec &spec_;
+    FrameTables &tables_;
+    Steps growth_, gait_;
+    Body body_;
+};
+
+void film(const Spec &spec, const Recorded &recorded, const std::filesystem::path &data,
+          FrameTables &tables) {
+    Camera camera(spec, tables);
+    const Life life = live(recorded.genome, spec.actuation, spec.actuation_range, spec.environment,
+                           spec.parameters, camera.watch());
+    const BestGenomeRow &summary = recorded.summary;
+    if (life.displacement() != summary.displacement || life.cells != summary.cells)
+        throw InputError((data / BestGenomeRow::file_name).string() + ": the best individual of '" +
+                         spec.name + "' moved " + to_text(summary.displacement) + " cells with " +
+                         to_text(summary.cells) + " cells, and lived again it moves " +
+                         to_text(life.displacement()) + " with " + to_text(life.cells) +
+                         ": the data are of another experiment or version");
+    tables.describe({.setting = spec.name,
+                     .fitness = summary.fitness,
+                     .displacement = life.displacement(),
+                     .cells = life.cells,
+                     .elongation = life.elongation,
+                     .links = life.links,
+                     .triangles = life.triangles});
+}
+
+} // namespace
+
+void write_frames(std::span<const Spec> settings, const std::filesystem::path &data,
+                  const std::filesystem::path &out) {
+    make_folder(out);
+    FrameTables tables(out);
+    for (const Spec &spec : settings)
+        if (const auto recorded = read_recorded(data, spec)) film(spec, *recorded, data, tables);
+    tables.commit();
+}
+
+} // namespace planula

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/analysis.h"
+#include "analysis/claims.h"
+#include "analysis/survey.h"
+#include "analysis/tables.h"
+#include "base/hash.h"
+#include "base/parallel.h"
+#include "record/ledger.h"
+#include "record/output.h"
+
+#include <algorithm>
+#include <set>
+
+namespace planula {
+
+namespace {
+
+/// A run is read through a buffer of some 50 MB, so that more threads than this would not be worth their
+/// room.
+int reading_threads() { return std::min(hardware_threads(), 8); }
+
+/// The numbers of generations after which a setting's facts are wanted: where its claims look, and the end.
+std::vector<int> marks_of(const SettingRuns &setting, const Analysis &analysis,
+                          std::span<const SettingRuns> settings) {
+    std::set<int> marks{setting.generations};
+    for (const Claim &claim : analysis.claims)
+        if (claim.a == setting.spec->name || claim.b == setting.spec->name)
+            marks.insert(generations_of(claim, analysis, settings));
+    marks.erase(0);
+    return {marks.begin(), marks.end()};
+}
+
+/// Checks and reads all runs, in parallel.
+void read_histories(const Analysis &analysis, std::vector<SettingRuns> &settings) {
+    struct Task {
+        SettingRuns *setting;
+        std::size_t run;
+        std::vector<int> marks;
+    };
+    std::vector<Task> tasks;
+    for (SettingRuns &setting : settings) {
+        setting.histories.resize(setting.runs.size());
+        const std::vector<int> marks = marks_of(setting, analysis, settings);
+        for (std::size_t run = 0; run < setting.runs.size(); ++run) tasks.push_back({&setting, run, marks});
+    }
+    parallel_for(static_cast<int>(tasks.size()), reading_threads(), [&](int i) {
+        const auto &[setting, run, marks] = tasks[i];
+        verify(setting->runs[run]);
+        setting->histories[run] = read_history(setting->runs[run], marks, analysis.fitness_classes);
+    });
+}
+
+/// Writes a table of what make(setting) returns for each setting, in their order.
+template <class Row, class Make>
+void write_each(const std::filesystem::path &out, std::span<const SettingRuns *const> settings, Make &&make) {
+    std::vector<std::vector<Row>> rows(settings.size());
+    parallel_for(static_cast<int>(settings.size()), reading_threads(),
+                 [&](int i) { rows[i] = make(*settings[i]); });
+    TableWriter<Row> writer(out);
+    for (const std::vector<Row> &some : rows)
+        for (const Row &row : some) writer.write(row);
+    writer.commit();
+}
+
+/// All rows of one kind for both runs that stand for a setting.
+template <class Row, class Make>
+std::vector<Row> for_representatives(const SettingRuns &setting, Make &&make) {
+    std::vector<Row> rows;
+    for (const Representative &chosen : representatives(setting))
+        for (Row &row : make(chosen)) rows.push_back(std::move(row));
+    return rows;
+}
+
+void write_settings(const Analysis &analysis, std::span<const SettingRuns *const> present,
+                    const std::filesystem::path &out) {
+    write_each<SettingRow>(out, present,
+                           [](const SettingRuns &s) { return std::vector<SettingRow>{setting_row(s)}; });
+    write_each<RunRow>(out, present, run_rows);
+    write_each<CurveRow>(out, present, [&](const SettingRuns &s) { return curve_rows(s, analysis); });
+    write_each<EntropyRow>(out, present,
+                           [&](const SettingRuns &s) { return std::vector{entropy_row(s, analysis)}; });
+    write_each<OutcomeRow>(out, present, outcome_rows);
+    write_each<FitnessShareRow>(out, present, fitness_share_rows);
+    write_each<BestGenomeRow>(out, present, best_genome_rows);
+}
+
+void write_exploration(const Analysis &analysis, std::span<const SettingRuns *const> chosen,
+                       const std::filesystem::path &out) {
+    write_each<EndpointRow>(out, chosen, [&](const SettingRuns &s) {
+        return for_representatives<EndpointRow>(
+            s, [&](const Representative &r) { return endpoint_rows(s, r, analysis.sample_share); });
+    });
+    write_each<EndpointPathRow>(out, chosen, [&](const SettingRuns &s) {
+        return for_representatives<EndpointPathRow>(
+            s, [&](const Representative &r) { return endpoint_path_rows(s, r); });
+    });
+    write_each<ArchivePointRow>(out, chosen, archive_point_rows);
+}
+
+void write_claims(const Analysis &analysis, std::span<const SettingRuns> settings,
+                  const std::filesystem::path &out) {
+    std::vector<ClaimRow> rows(analysis.claims.size());
+    parallel_for(static_cast<int>(rows.size()), reading_threads(),
+                 [&](int i) { rows[i] = judge_claim(analysis.claims[i], analysis, settings); });
+    write_table<ClaimRow>(out, rows);
+}
+
+void write_dictionaries(std::span<const SettingRuns> settings, const std::filesystem::path &out) {
+    std::vector<Parameters> parameters;
+    for (const SettingRuns &setting : settings) parameters.push_back(setting.spec->parameters);
+    write_table<LedgerRow>(out, ledger(parameters));
+    write_table<ColumnRow>(out, columns());
+}
+
+/// What the tables rest on, beside what was planned.
+Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> settings) {
+    const Parameters &design = analysis.design;
+    int seeds = static_cast<int>(settings.front().runs.size()), runs = 0;
+    int generations = settings.front().generations;
+    int population = settings.front().spec->parameters.population;
+    std::int64_t evaluations = 0;
+    Hash results;
+    for (const SettingRuns &setting : settings) {
+        seeds = std::min(seeds, static_cast<int>(setting.runs.size()));
+        generations = std::min(generations, setting.generations);
+        population = std::min(population, setting.spec->parameters.population);
+        for (const RecordedRun &run : setting.runs) {
+            ++runs;
+            evaluations += std::int64_t{setting.generations} * run.population;
+            results.text(setting.spec->name).number(static_cast<std::uint64_t>(run.seed));
+            results.text(run.manifest.text("results_sha256"));
+        }
+    }
+    const auto count = static_cast<std::int64_t>(settings.size());
+    const bool complete =
+        seeds >= design.seeds && generations >= design.generations && population >= design.population;
+
+    Manifest manifest;
+    manifest.add("experiment", analysis.experiment);
+    manifest.add("version", std::string(version()));
+    manifest.add("settings", count);
+    manifest.add("runs", runs);
+    manifest.add("seeds", seeds);
+    manifest.add("seeds_planned", design.seeds);
+    manifest.add("generations", generations);
+    manifest.add("generations_planned", design.generations);
+    manifest.add("population", population);
+    manifest.add("population_planned", design.population);
+    manifest.add("evaluations", evaluations);
+    manifest.add("evaluations_planned", count * design.seeds * design.generations * design.population);
+    manifest.add("results_sha256", results.hex());
+    manifest.add("complete", complete ? 1 : 0);
+    return manifest;
+}
+
+} // namespace
+
+void reduce(const Analysis &analysis, std::span<const Spec> settings, const std::filesystem::path &runs,
+            const std::filesystem::path &out) {
+    check_analysis(analysis, settings);
+    std::vector<SettingRuns> found = survey(settings, runs);
+    read_histories(analysis, found);
+    std::vector<const SettingRuns *> present, explored;
+    for (const SettingRuns &setting : found) {
+        if (setting.runs.empty()) continue;
+        present.push_back(&setting);
+        if (std::count(analysis.endpoint_settings.begin(), analysis.endpoint_settings.end(),
+                       setting.spec->name))
+            explored.push_back(&setting);
+    }
+
+    // A manifest stands for tables that are all of one making.
+    make_folder(out);
+    remove_file(out / ManifestRow::file_name);
+    write_settings(analysis, present, out);
+    write_exploration(analysis, explored, out);
+    write_claims(analysis, found, out);
+    write_dictionaries(found, out);
+    data_manifest(analysis, found).write(out);
+}
+
+} // namespace planula

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The runs that there are of each setting of an experiment, and which of them stand for it.
+#pragma once
+
+#include "analysis/history.h"
+#include "experiment/spec.h"
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace planula {
+
+/// The runs of one setting; none if there are none.
+struct SettingRuns {
+    const Spec *spec = nullptr;
+    std::vector<RecordedRun> runs;     // by ascending seed
+    int generations = 0;               // that all runs have and the setting asks for; 0 without runs
+    std::vector<RunHistory> histories; // of these runs, once they are read
+
+    /// The histories' facts at the end.
+    const RunFacts &outcome_of(std::size_t run) const { return histories[run].after.at(generations); }
+};
+
+/// Finds the complete runs of every setting. Throws InputError if a run's population is not the setting's,
+/// and if there is no run at all.
+std::vector<SettingRuns> survey(std::span<const Spec> settings, const std::filesystem::path &runs);
+
+/// Places of the runs in descending order of their champions' fitness; of equals the lower seed comes first.
+std::vector<std::size_t> ranking(const SettingRuns &setting);
+
+/// The rank, from 0, of the best run below the median of `count` runs: the 11th of 20, the 3rd of 3; of a
+/// single run, that run.
+std::size_t rank_below_median(std::size_t count);
+
+} // namespace planula

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/tables.h"
+
+#include "analysis/chance.h"
+#include "base/random.h"
+#include "record/archive_table.h"
+#include "record/genome_table.h"
+#include "statistics/bootstrap.h"
+#include "statistics/summary.h"
+
+#include <functional>
+
+namespace planula {
+
+namespace {
+
+int count_of(const SettingRuns &setting) { return static_cast<int>(setting.runs.size()); }
+
+/// Calls make(history, facts) for each run.
+template <class Make> auto from_runs(const SettingRuns &setting, Make &&make) {
+    std::vector<decltype(make(setting.histories[0], setting.outcome_of(0)))> values;
+    for (std::size_t run = 0; run < setting.histories.size(); ++run)
+        values.push_back(make(setting.histories[run], setting.outcome_of(run)));
+    return values;
+}
+
+OutcomeRow outcome_row(const SettingRuns &setting, GenerationRow RunHistory::*when) {
+    OutcomeRow row{.setting = setting.spec->name};
+    const double individuals =
+        static_cast<double>(setting.histories.size()) * setting.spec->parameters.population;
+    row.generation = (setting.histories.front().*when).generation;
+    const auto share = [&](int GenerationRow::*outcome) {
+        std::int64_t count = 0;
+        for (const RunHistory &history : setting.histories) count += history.*when.*outcome;
+        return static_cast<double>(count) / individuals;
+    };
+    row.viable = share(&GenerationRow::viable);
+    row.died_out = share(&GenerationRow::died_out);
+    row.too_small = share(&GenerationRow::too_small);
+    row.overgrown = share(&GenerationRow::overgrown);
+    row.never_settled = share(&GenerationRow::never_settled);
+    row.exploded = share(&GenerationRow::exploded);
+    row.overborn = share(&GenerationRow::overborn);
+    return row;
+}
+
+} // namespace
+
+SettingRow setting_row(const SettingRuns &setting) {
+    const Spec &spec = *setting.spec;
+    return {.setting = spec.name,
+            .title = spec.title,
+            .actuation = name_of(spec.actuation),
+            .world = spec.environment.has_ground ? "terrestrial" : "aquatic",
+            .search = spec.search,
+            .runs = count_of(setting),
+            .generations = setting.generations,
+            .population = spec.parameters.population};
+}
+
+std::vector<RunRow> run_rows(const SettingRuns &setting) {
+    return from_runs(setting, [&](const RunHistory &history, const RunFacts &facts) -> RunRow {
+        const ChampionRow &champion = facts.champion;
+        return {.setting = setting.spec->name,
+                .seed = history.seed,
+                .generations = setting.generations,
+                .best_fitness = champion.fitness,
+                .best_displacement = champion.displacement,
+                .best_generation = champion.generation,
+                .best_cells = champion.cells,
+                .late_share = champion.late_share,
+                .elongation = champion.elongation,
+                .size_entropy = facts.size_entropy,
+                .viable = facts.viable,
+                .valid_share_last = facts.valid_share,
+                .fitness_spread_last = facts.fitness_spread,
+                .direction_resultant = facts.direction_resultant,
+                .side_switches = facts.side_switches};
+    });
+}
+
+std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &analysis) {
+    // One stream for all generations: each resample draws whole runs, so that the band is as smooth as they
+    // are.
+    const Resampling resampling{analysis.confidence, analysis.resamples,
+                                bootstrap_seed("curve " + setting.spec->name), 0};
+    std::vector<CurveRow> rows;
+    for (int generation = 0; generation < setting.generations; ++generation) {
+        const std::vector<double> best = from_runs(
+            setting, [&](const RunHistory &history, const RunFacts &) { return history.best[generation]; });
+        const Interval interval = bootstrap_mean(best, resampling);
+        rows.push_back(
+            {setting.spec->name, generation, count_of(setting), mean(best), interval.low, interval.high});
+    }
+    return rows;
+}
+
+EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis) {
+    const std::vector<double> entropies =
+        from_runs(setting, [](const RunHistory &, const RunFacts &facts) { return facts.size_entropy; });
+    const Interval interval = bootstrap_mean(entropies, {analysis.confidence, analysis.resamples,
+                                                         bootstrap_seed("entropy " + setting.spec->name), 0});
+    return {setting.spec->name, count_of(setting), mean(entropies),
+            interval.low,       interval.high,     median(entropies)};
+}
+
+std::vector<OutcomeRow> outcome_rows(const SettingRuns &setting) {
+    std::vector<OutcomeRow> rows{outcome_row(setting, &RunHistory::first)};
+    if (setting.generations > 1) rows.push_back(outcome_row(setting, &RunHistory::last));
+    return rows;
+}
+
+std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting) {
+    std::vector<FitnessShareRow> rows;
+    const std::size_t classes = setting.histories.front().fitness_shares.size();
+    for (std::size_t i = 0; i < classes; ++i) {
+        const std::vector<double> shares = from_runs(
+            setting, [&](const RunHistory &history, const RunFacts &) { return history.fitness_shares[i]; });
+        const auto edge = [&](std::size_t at) {
+            return static_cast<double>(at) / static_cast<double>(classes);
+        };
+        rows.push_back({setting.spec->name, count_of(setting), edge(i), edge(i + 1), mean(shares)});
+    }
+    return rows;
+}
+
+std::vector<BestGenomeRow> best_genome_rows(const SettingRuns &setting) {
+    const std::size_t best = ranking(setting).front();
+    const ChampionRow &champion = setting.histories[best].crowned;
+    std::vector<BestGenomeRow> rows;
+    for (const GenomeRow &gene : genome_rows(read_best_genome(setting.runs[best])))
+        rows.push_back({.setting = setting.spec->name,
+                        .seed = setting.runs[best].seed,
+                        .fitness = champion.fitness,
+                        .displacement = champion.displacement,
+                        .cells = champion.cells,
+                        .kind = gene.kind,
+                        .id = gene.id,
+                        .from = gene.from,
+                        .to = gene.to,
+                        .value = gene.value,
+                        .recurrent = gene.recurrent});
+    return rows;
+}
+
+std::vector<Representative> representatives(const SettingRuns &setting) {
+    const std::vector<std::size_t> order = ranking(setting);
+    return {{"best", order.front()}, {"median", order[rank_below_median(order.size())]}};
+}
+
+std::vector<EndpointPathRow> endpoint_path_rows(const SettingRuns &setting, const Representative &chosen) {
+    const RunHistory &history = setting.histories[chosen.run];
+    std::vector<EndpointPathRow> rows;
+    for (int generation = 0; generation < setting.generations; ++generation) {
+        const Vec2d moved = history.best_moved[generation];
+        rows.push_back({setting.spec->name, history.seed, chosen.role, generation, moved.x, moved.y,
+                        history.best[generation]});
+    }
+    return rows;
+}
+
+std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Representative &chosen,
+                                       double share) {
+    const RecordedRun &run = setting.runs[chosen.run];
+    std::vector<EndpointRow> rows;
+    each_individual(run, setting.generations, [&](const IndividualRow &row) {
+        Stream stream(static_cast<std::uint64_t>(run.seed), static_cast<std::uint32_t>(row.generation),
+                      static_cast<std::uint32_t>(row.slot), Purpose::sampling);
+        if (!stream.chance(share) || row.outcome != name_of(Outcome::viable)) return;
+        rows.push_back({setting.spec->name, run.seed, chosen.role, row.generation, row.end_x - row.rest_x,
+                        row.end_y - row.rest_y});
+    });
+    return rows;
+}
+
+std::vector<ArchivePointRow> archive_point_rows(const SettingRuns &setting) {
+    const RecordedRun &run = setting.runs[ranking(setting).front()];
+    std::vector<ArchivePointRow> rows;
+    if (!run.manifest.has(ArchiveRow::file_name)) return rows;
+    for (const ArchiveEntry &entry : read_archive(run.folder)) {
+        if (entry.generation >= setting.generations || entry.behaviour.empty()) continue;
+        const Maybe second = entry.behaviour.size() > 1 ? Maybe(entry.behaviour[1]) : std::nullopt;
+        rows.push_back({setting.spec->name, run.seed, entry.generation, entry.behaviour[0], second});
+    }
+    return rows;
+}
+
+} // namespace planula

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The rows of the reduced tables, each from the histories of one setting that has runs.
+#pragma once
+
+#include "analysis/analysis.h"
+#include "analysis/survey.h"
+
+#include <span>
+#include <vector>
+
+namespace planula {
+
+SettingRow setting_row(const SettingRuns &setting);
+std::vector<RunRow> run_rows(const SettingRuns &setting);
+std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &analysis);
+EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis);
+std::vector<OutcomeRow> outcome_rows(const SettingRuns &setting);
+std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting);
+
+/// The best run's best genome. Throws InputError if its file is damaged.
+std::vector<BestGenomeRow> best_genome_rows(const SettingRuns &setting);
+
+/// A run that stands for its setting: best or median.
+struct Representative {
+    const char *role;
+    std::size_t run;
+};
+std::vector<Representative> representatives(const SettingRuns &setting);
+
+std::vector<EndpointPathRow> endpoint_path_rows(const SettingRuns &setting, const Representative &chosen);
+
+/// Each viable individual of the run is taken with probability `share`, drawn from its own stream (seed of
+/// the run, generation, slot): whether it is taken depends on nothing else. Reads the run's individuals.
+std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Representative &chosen,
+                                       double share);
+
+/// The archive of the best run; none for a search without one. Reads the run's archive.
+std::vector<ArchivePointRow> archive_point_rows(const SettingRuns &setting);
+
+} // namespace planula

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "record/columns.h"
+
+namespace planula {
+
+namespace {
+
+std::vector<ColumnRow> make_columns() {
+    std::vector<ColumnRow> rows;
+    std::string table;
+#define TABLE(row, file) table = file;
+#define COLUMN(type, name, unit, meaning) rows.push_back({table, #name, unit, meaning});
+#define END_TABLE
+#include "record/columns.inl"
+    return rows;
+}
+
+} // namespace
+
+std::span<const ColumnRow> columns() {
+    static const std::vector<ColumnRow> rows = make_columns();
+    return rows;
+}
+
+} // namespace planula

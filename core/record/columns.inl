@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// Every column of every table that planula writes, once: rows, headers, readers and columns.csv are made of
+// this list. Read with these macros defined:
+//
+//   TABLE(row type, file)      opens a table; the columns that follow are its own, in the order of the file
+//   COLUMN(type, name, unit, meaning)
+//   END_TABLE
+//
+// Types: int, std::int64_t, double, std::string; Maybe (a double) and MaybeId (an std::int64_t) may be empty.
+// Units: cell = one cell diameter; step = one physics step; generation = a number from 0; an empty unit means
+// that the value is a text.
+
+// ---- A run's directory, <setting>/seed-NNN/ ----
+
+TABLE(ManifestRow, "manifest.csv")
+COLUMN(std::string, key, "", "what the row states")
+COLUMN(std::string, value, "", "its value")
+END_TABLE
+
+TABLE(GenerationRow, "generations.csv")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(double, best_fitness, "cell", "highest fitness in this generation")
+COLUMN(int, best_slot, "slot", "slot of the fittest, the lowest of equals")
+COLUMN(double, mean_fitness, "cell", "mean fitness of all individuals")
+COLUMN(int, valid, "individuals", "individuals whose penalty factor is above 0")
+COLUMN(int, species, "species", "species in the population")
+COLUMN(double, threshold, "1", "compatibility threshold that placed this generation")
+COLUMN(double, mean_links, "links", "mean number of links of a genome")
+COLUMN(double, mean_hidden, "nodes", "mean number of hidden nodes of a genome")
+COLUMN(int, archive, "individuals", "entries in the novelty archive after this generation; 0 without one")
+COLUMN(double, archive_threshold, "cell", "novelty that the archive asks for after this generation; 0 without one")
+COLUMN(int, viable, "individuals", "individuals that grew, settled and moved to the end")
+COLUMN(int, died_out, "individuals", "individuals whose last cell died")
+COLUMN(int, too_small, "individuals", "individuals with too few cells at the end of development")
+COLUMN(int, overgrown, "individuals", "individuals that reached the cell limit")
+COLUMN(int, never_settled, "individuals", "individuals that did not come to rest on the ground")
+COLUMN(int, exploded, "individuals", "individuals with a speed beyond the guard or a number that is not finite")
+COLUMN(int, overborn, "individuals", "individuals that reached the birth limit, whatever became of them")
+END_TABLE
+
+TABLE(IndividualRow, "individuals.csv.gz")
+COLUMN(int, generation, "generation", "generation of the individual")
+COLUMN(int, slot, "slot", "its place in the population: species in list order, members as placed")
+COLUMN(std::int64_t, genome, "id", "its genome, numbered in order of birth in the run")
+COLUMN(std::int64_t, mother, "id", "the genome it was made from; -1: none")
+COLUMN(std::int64_t, father, "id", "the second parent; -1: none")
+COLUMN(std::string, origin, "", "the operator that made the genome")
+COLUMN(int, species, "id", "its species, numbered in order of foundation in the run")
+COLUMN(double, fitness, "cell", "fitness, Eq. 4")
+COLUMN(double, score, "cell", "what the search rewarded: fitness or novelty")
+COLUMN(double, penalty, "1", "penalty factor p of Eq. 6; 0: not valid")
+COLUMN(std::string, outcome, "", "how its life ended")
+COLUMN(int, cells, "cells", "cells at the end of development")
+COLUMN(int, births, "cells", "cells created, the zygote included")
+COLUMN(double, end_x, "cell", "centre of mass at the end of locomotion, horizontal")
+COLUMN(double, end_y, "cell", "centre of mass at the end of locomotion, vertical")
+COLUMN(double, rest_x, "cell", "centre of mass when the body had come to rest, horizontal")
+COLUMN(double, rest_y, "cell", "centre of mass when the body had come to rest, vertical")
+COLUMN(double, activity, "1", "actuation bonus b_a of Eq. 5; 0 with oscillators")
+COLUMN(double, elongation, "1", "length over width of the developed body by its principal axes; 0 without width")
+COLUMN(int, links, "links", "links of the genome")
+COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
+END_TABLE
+
+TABLE(ArchiveRow, "archive.csv")
+COLUMN(int, generation, "generation", "generation that added the individual to the novelty archive")
+COLUMN(std::int64_t, genome, "id", "its genome")
+COLUMN(double, novelty, "cell", "its novelty when it was added, Eq. 7")
+COLUMN(double, x, "cell", "its descriptor: final centre of mass, horizontal")
+COLUMN(double, y, "cell", "its descriptor: final centre of mass, vertical")
+END_TABLE
+
+TABLE(ArchiveDescriptorRow, "archive.csv")
+COLUMN(double, behaviour_1, "as the descriptor", "with behaviour_2 and so on in place of x and y where a descriptor has not two numbers")
+END_TABLE
+
+TABLE(ChampionRow, "champions.csv")
+COLUMN(int, generation, "generation", "generation in which the run's best fitness rose; the first row is generation 0")
+COLUMN(int, slot, "slot", "slot of the new champion")
+COLUMN(std::int64_t, genome, "id", "its genome")
+COLUMN(double, fitness, "cell", "its fitness, Eq. 4")
+COLUMN(int, cells, "cells", "cells at the end of development")
+COLUMN(double, displacement, "cell", "distance from rest to end, without bonus and penalty")
+COLUMN(double, late_share, "1", "distance made in the last quarter of locomotion over the displacement; 0 without one")
+COLUMN(double, elongation, "1", "length over width of the developed body by its principal axes; 0 without width")
+COLUMN(double, x, "cell", "horizontal displacement from rest to end")
+COLUMN(double, y, "cell", "vertical displacement from rest to end")
+COLUMN(int, springs, "springs", "springs of the body")
+COLUMN(int, triangles, "triangles", "triangles of the body")
+COLUMN(int, links, "links", "links of the genome")
+COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
+COLUMN(int, settle_steps, "step", "steps until the body came to rest; 0 in water")
+END_TABLE
+
+TABLE(GenomeRow, "best_genome.csv")
+COLUMN(std::string, kind, "", "first row: the operator that made the genome; then nodes: input, bias, output, hidden; then links: link")
+COLUMN(std::int64_t, id, "id", "number of the genome, id of the node, innovation of the link")
+COLUMN(MaybeId, from, "id", "first row: mother, -1 for none; link: the node it leaves")
+COLUMN(MaybeId, to, "id", "first row: father, -1 for none; link: the node it enters")
+COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: weight")
+COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
+END_TABLE
+
+// ---- Reduced tables ----
+
+TABLE(SettingRow, "settings.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::string, title, "", "the setting in words")
+COLUMN(std::string, actuation, "", "oscillator or grn")
+COLUMN(std::string, world, "", "terrestrial with ground, else aquatic")
+COLUMN(std::string, search, "", "name of the search")
+COLUMN(int, runs, "runs", "complete runs that the tables rest on")
+COLUMN(int, generations, "generations", "generations that all these runs have")
+COLUMN(int, population, "individuals", "individuals in a generation")
+END_TABLE
+
+TABLE(RunRow, "runs.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of the run")
+COLUMN(int, generations, "generations", "generations that the row rests on: those that all runs of the setting have")
+COLUMN(double, best_fitness, "cell", "fitness of the run's champion, its best individual")
+COLUMN(double, best_displacement, "cell", "distance that the champion moved")
+COLUMN(int, best_generation, "generation", "generation of the champion")
+COLUMN(int, best_cells, "cells", "cells of the champion")
+COLUMN(double, late_share, "1", "champion's distance in the last quarter of locomotion over its displacement")
+COLUMN(double, elongation, "1", "champion's length over width")
+COLUMN(double, size_entropy, "nat", "Shannon entropy of the cell counts of all individuals with fitness above 0, Eq. 8")
+COLUMN(std::int64_t, viable, "individuals", "individuals with fitness above 0, those that the entropy counts")
+COLUMN(double, valid_share_last, "1", "share of the last generation whose penalty factor is above 0")
+COLUMN(double, fitness_spread_last, "1", "interquartile range of fitness over the run's best fitness, valid individuals of the last generation")
+COLUMN(double, direction_resultant, "1", "mean resultant length of the end directions of all individuals that moved; 1: all went one way")
+COLUMN(int, side_switches, "switches", "how often the best of a generation ended on the other side than the best before it")
+END_TABLE
+
+TABLE(CurveRow, "curves.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(int, runs, "runs", "runs averaged")
+COLUMN(double, mean, "cell", "best fitness in the generation, mean over runs")
+COLUMN(double, low, "cell", "lower end of the bootstrap interval of the mean")
+COLUMN(double, high, "cell", "upper end of the bootstrap interval of the mean")
+END_TABLE
+
+TABLE(EndpointRow, "endpoints.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of the run")
+COLUMN(std::string, role, "", "best: the setting's best run; median: the best run below the median")
+COLUMN(int, generation, "generation", "generation of a randomly sampled viable individual")
+COLUMN(double, x, "cell", "its horizontal displacement from rest to end")
+COLUMN(double, y, "cell", "its vertical displacement from rest to end")
+END_TABLE
+
+TABLE(EndpointPathRow, "endpoint_paths.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of the run")
+COLUMN(std::string, role, "", "best: the setting's best run; median: the best run below the median")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(double, x, "cell", "horizontal displacement of the generation's best individual")
+COLUMN(double, y, "cell", "vertical displacement of the generation's best individual")
+COLUMN(double, fitness, "cell", "its fitness")
+END_TABLE
+
+TABLE(ArchivePointRow, "archives.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of the setting's best run")
+COLUMN(int, generation, "generation", "generation that added the individual to the novelty archive")
+COLUMN(double, x, "cell", "first number of its descriptor")
+COLUMN(Maybe, y, "cell", "second number of its descriptor; empty where there is none")
+END_TABLE
+
+TABLE(FitnessShareRow, "fitness_shares.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, runs, "runs", "runs averaged")
+COLUMN(double, low, "1", "lower end of a class of fitness over the run's best fitness in the last generation")
+COLUMN(double, high, "1", "upper end of the class, excluded but for the last")
+COLUMN(double, share, "1", "share of the last generation in the class, mean over runs")
+END_TABLE
+
+TABLE(EntropyRow, "entropy.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, runs, "runs", "runs averaged")
+COLUMN(double, mean, "nat", "size entropy of a run, Eq. 8, mean over runs")
+COLUMN(double, low, "nat", "lower end of the bootstrap interval of the mean")
+COLUMN(double, high, "nat", "upper end of the bootstrap interval of the mean")
+COLUMN(double, median, "nat", "size entropy of a run, median over runs")
+END_TABLE
+
+TABLE(OutcomeRow, "outcomes.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, generation, "generation", "the first or the last generation")
+COLUMN(double, viable, "1", "share that grew, settled and moved to the end, mean over runs")
+COLUMN(double, died_out, "1", "share whose last cell died, mean over runs")
+COLUMN(double, too_small, "1", "share with too few cells at the end of development, mean over runs")
+COLUMN(double, overgrown, "1", "share that reached the cell limit, mean over runs")
+COLUMN(double, never_settled, "1", "share that did not come to rest on the ground, mean over runs")
+COLUMN(double, exploded, "1", "share with a speed beyond the guard or a number that is not finite, mean over runs")
+COLUMN(double, overborn, "1", "share that reached the birth limit, whatever became of them, mean over runs")
+END_TABLE
+
+TABLE(ClaimRow, "claims.csv")
+COLUMN(std::string, id, "", "short name of the claim")
+COLUMN(std::string, statement, "", "the claim in words")
+COLUMN(std::string, section, "", "section of the paper that makes it")
+COLUMN(std::string, paper, "", "what the paper gives as evidence")
+COLUMN(std::string, test, "", "the test that judges it")
+COLUMN(std::string, setting_a, "", "first setting")
+COLUMN(std::string, setting_b, "", "second setting; empty where the test has none")
+COLUMN(int, generation, "generations", "the claim is about this generation, counted from 1: 2000 is the last of 2000")
+COLUMN(int, at_generation, "generations", "the values are of this generation, counted from 1; 0 without data")
+COLUMN(int, runs_a, "runs", "runs of the first setting")
+COLUMN(int, runs_b, "runs", "runs of the second setting")
+COLUMN(std::string, effect_name, "", "what the effect is")
+COLUMN(Maybe, effect, "1", "size of the effect")
+COLUMN(Maybe, low, "1", "lower end of its bootstrap interval")
+COLUMN(Maybe, high, "1", "upper end of its bootstrap interval")
+COLUMN(Maybe, p, "1", "p-value of the test; empty where there is none")
+COLUMN(std::string, verdict, "", "reproduced, contradicted, inconclusive, or open while data are missing")
+COLUMN(std::string, note, "", "what limits the verdict")
+END_TABLE
+
+TABLE(BestGenomeRow, "best_genomes.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of its best run")
+COLUMN(double, fitness, "cell", "fitness of that run's best individual")
+COLUMN(double, displacement, "cell", "distance that it moved")
+COLUMN(int, cells, "cells", "its cells at the end of development")
+COLUMN(std::string, kind, "", "first row of a genome: the operator that made it; then nodes: input, bias, output, hidden; then links: link")
+COLUMN(std::int64_t, id, "id", "number of the genome, id of the node, innovation of the link")
+COLUMN(MaybeId, from, "id", "first row: mother, -1 for none; link: the node it leaves")
+COLUMN(MaybeId, to, "id", "first row: father, -1 for none; link: the node it enters")
+COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: weight")
+COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
+END_TABLE
+
+TABLE(ColumnRow, "columns.csv")
+COLUMN(std::string, file, "", "name of a table")
+COLUMN(std::string, column, "", "name of a column")
+COLUMN(std::string, unit, "", "its unit; empty for texts")
+COLUMN(std::string, meaning, "", "what it holds")
+END_TABLE
+
+TABLE(LedgerRow, "parameters.csv")
+COLUMN(std::string, section, "", "part of the model")
+COLUMN(std::string, name, "", "name of the parameter")
+COLUMN(Maybe, value, "as its unit", "value in this experiment; empty where its settings differ")
+COLUMN(double, standard, "as its unit", "value in the replication of the paper")
+COLUMN(std::string, unit, "", "unit of the values")
+COLUMN(std::string, origin, "", "where the standard value comes from: the paper's section or equation, MN (MultiNEAT), ours")
+COLUMN(std::string, meaning, "", "what the parameter does")
+END_TABLE
+
+// ---- Frames of re-lived individuals ----
+
+TABLE(FrameRow, "frames.csv")
+COLUMN(std::string, setting, "", "name of the setting whose best individual is shown")
+COLUMN(std::string, stage, "", "growth: development; gait: one longest oscillator period at the end of locomotion")
+COLUMN(int, frame, "frame", "number of the frame in its stage, from 0")
+COLUMN(int, step, "step", "step of development or of locomotion")
+COLUMN(int, cells, "cells", "cells alive")
+COLUMN(double, centre_x, "cell", "centre of mass, horizontal")
+COLUMN(double, centre_y, "cell", "centre of mass, vertical")
+END_TABLE
+
+TABLE(FrameCellRow, "frame_cells.csv")
+COLUMN(std::string, setting, "", "name of the setting whose best individual is shown")
+COLUMN(std::string, stage, "", "growth or gait")
+COLUMN(int, frame, "frame", "number of the frame in its stage, from 0")
+COLUMN(int, cell, "cell number", "number of the cell, by age")
+COLUMN(double, x, "cell", "its centre, horizontal")
+COLUMN(double, y, "cell", "its centre, vertical")
+COLUMN(double, signal, "1", "its actuation, from -1 (contraction) to 1 (expansion); 0 in growth")
+END_TABLE
+
+TABLE(FrameLinkRow, "frame_links.csv")
+COLUMN(std::string, setting, "", "name of the setting whose best individual is shown")
+COLUMN(std::string, stage, "", "growth or gait")
+COLUMN(int, frame, "frame", "number of the frame in its stage, from 0")
+COLUMN(double, x1, "cell", "first end of a link between two cells, horizontal")
+COLUMN(double, y1, "cell", "first end, vertical")
+COLUMN(double, x2, "cell", "second end, horizontal")
+COLUMN(double, y2, "cell", "second end, vertical")
+COLUMN(int, outline, "0 or 1", "1 for a link on the outline")
+END_TABLE
+
+TABLE(MorphologyRow, "morphologies.csv")
+COLUMN(std::string, setting, "", "name of the setting whose best individual is described")
+COLUMN(double, fitness, "cell", "its fitness")
+COLUMN(double, displacement, "cell", "distance that it moved")
+COLUMN(int, cells, "cells", "its cells")
+COLUMN(double, elongation, "1", "its length over width by its principal axes")
+COLUMN(int, links, "links", "links between its cells")
+COLUMN(int, triangles, "triangles", "triangles of its body")
+END_TABLE
+
+#undef TABLE
+#undef COLUMN
+#undef END_TABLE

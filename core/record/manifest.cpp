@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "record/manifest.h"
+
+#include "base/check.h"
+#include "base/text.h"
+#include "record/csv.h"
+
+namespace planula {
+
+std::string_view version() { return PLANULA_VERSION; }
+
+std::string compiler() {
+#if defined(__clang__)
+    return "clang " + to_text(__clang_major__) + "." + to_text(__clang_minor__) + "." +
+           to_text(__clang_patchlevel__);
+#elif defined(__GNUC__)
+    return "gcc " + to_text(__GNUC__) + "." + to_text(__GNUC_MINOR__) + "." + to_text(__GNUC_PATCHLEVEL__);
+#else
+    return "unknown";
+#endif
+}
+
+Manifest::Manifest(const std::filesystem::path &folder) : folder_(folder) {
+    TableReader<ManifestRow> reader(folder);
+    for (ManifestRow row; reader.next(row);) {
+        if (has(row.key)) reader.refuse("the key '" + row.key + "' is there twice");
+        rows_.push_back(row);
+    }
+}
+
+void Manifest::add(std::string key, std::string value) {
+    CHECK(!has(key), key);
+    rows_.push_back({std::move(key), std::move(value)});
+}
+
+void Manifest::add(std::string key, std::int64_t value) { add(std::move(key), to_text(value)); }
+
+void Manifest::write(const std::filesystem::path &folder) const { write_table<ManifestRow>(folder, rows_); }
+
+const std::string *Manifest::find(std::string_view key) const {
+    for (const ManifestRow &row : rows_)
+        if (row.key == key) return &row.value;
+    return nullptr;
+}
+
+const std::string &Manifest::text(std::string_view key) const {
+    const std::string *value = find(key);
+    if (value == nullptr)
+        throw InputError((folder_ / ManifestRow::file_name).string() + ": no row '" + std::string(key) + "'");
+    return *value;
+}
+
+std::int64_t Manifest::number(std::string_view key) const {
+    const auto value = parse_int(text(key));
+    if (!value)
+        throw InputError((folder_ / ManifestRow::file_name).string() + ": '" + std::string(key) + "' = '" +
+                         text(key) + "' is not a whole number");
+    return *value;
+}
+
+} // namespace planula

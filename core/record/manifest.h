@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Key and value rows that say what a folder of tables is: manifest.csv of a run and of the reduced data.
+#pragma once
+
+#include "record/columns.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planula {
+
+/// The version of planula, as CMake's project() states it.
+std::string_view version();
+/// The compiler that built this program, with its version. It reaches no result.
+std::string compiler();
+
+class Manifest {
+  public:
+    Manifest() = default;
+    /// Reads manifest.csv of a folder; InputError for a key that is there twice.
+    explicit Manifest(const std::filesystem::path &folder);
+
+    void add(std::string key, std::string value);
+    void add(std::string key, std::int64_t value);
+    /// Writes manifest.csv into a folder.
+    void write(const std::filesystem::path &folder) const;
+
+    bool has(std::string_view key) const { return find(key) != nullptr; }
+    /// Throws InputError if there is no such key, or, for a number, if its value is none.
+    const std::string &text(std::string_view key) const;
+    std::int64_t number(std::string_view key) const;
+    const std::vector<ManifestRow> &rows() const { return rows_; }
+
+  private:
+    const std::string *find(std::string_view key) const;
+
+    std::filesystem::path folder_;
+    std::vector<ManifestRow> rows_;
+};
+
+} // namespace planula

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "record/run_writer.h"
+
+#include "base/check.h"
+#include "base/text.h"
+#include "record/genome_table.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace planula {
+
+namespace {
+
+constexpr const char *script_file = "experiment.lua", *resolved_file = "resolved.lua";
+
+std::string identity_of(const Spec &spec, std::uint64_t seed, const RunIdentity &identity) {
+    return Hash().text(version()).text(spec.name).text(identity.resolved_text).number(seed).hex();
+}
+
+/// Takes the folder as a new run finds it: without a manifest first of all, and without anything older.
+const std::filesystem::path &clear(const std::filesystem::path &folder) {
+    remove_file(folder / ManifestRow::file_name);
+    for (const auto file : {GenerationRow::file_name, IndividualRow::file_name, ChampionRow::file_name,
+                            ArchiveRow::file_name, GenomeRow::file_name})
+        remove_file(folder / file);
+    return folder;
+}
+
+const std::filesystem::path &made(const std::filesystem::path &folder) {
+    make_folder(folder);
+    return folder;
+}
+
+/// The species of every slot.
+std::vector<int> species_of_slots(const Population &population) {
+    std::vector<int> species(population.genomes.size(), -1);
+    for (const Species &group : population.species)
+        for (const int slot : group.members) species.at(slot) = group.id;
+    return species;
+}
+
+/// The part of the displacement that the last quarter of locomotion made.
+double late_share(const Life &life, const Parameters &parameters) {
+    const double displacement = life.displacement();
+    const std::size_t sample =
+        static_cast<std::size_t>(parameters.locomotion_steps) * 3 / 4 / parameters.path_interval;
+    if (displacement == 0 || sample >= life.path.size()) return 0;
+    return length(life.end - life.path[sample]) / displacement;
+}
+
+ChampionRow champion_row(const Generation &g, const Parameters &parameters) {
+    const Life &life = g.lives[g.best];
+    const Genome &genome = g.population.genomes[g.best];
+    const Vec2d moved = life.end - life.rest;
+    return {.generation = g.number,
+            .slot = g.best,
+            .genome = genome.id,
+            .fitness = g.evaluations[g.best].fitness,
+            .cells = life.cells,
+            .displacement = life.displacement(),
+            .late_share = late_share(life, parameters),
+            .elongation = life.elongation,
+            .x = moved.x,
+            .y = moved.y,
+            .springs = life.links,
+            .triangles = life.triangles,
+            .links = static_cast<int>(genome.links.size()),
+            .hidden = genome.hidden(),
+            .settle_steps = life.settle_steps};
+}
+
+IndividualRow individual_row(const Generation &g, int slot, int species) {
+    const Life &life = g.lives[slot];
+    const Genome &genome = g.population.genomes[slot];
+    const Evaluation &evaluation = g.evaluations[slot];
+    return {.generation = g.number,
+            .slot = slot,
+            .genome = genome.id,
+            .mother = genome.mother,
+            .father = genome.father,
+            .origin = name_of(genome.origin),
+            .species = species,
+            .fitness = evaluation.fitness,
+            .score = g.scores[slot],
+            .penalty = evaluation.penalty,
+            .outcome = name_of(life.outcome),
+            .cells = life.cells,
+            .births = life.births,
+            .end_x = life.end.x,
+            .end_y = life.end.y,
+            .rest_x = life.rest.x,
+            .rest_y = life.rest.y,
+            .activity = life.activity,
+            .elongation = life.elongation,
+            .links = static_cast<int>(genome.links.size()),
+            .hidden = genome.hidden()};
+}
+
+/// Adds one life to the counts of its generation.
+void count(const Life &life, int birth_limit, GenerationRow &row) {
+    switch (life.outcome) {
+    case Outcome::viable:
+        ++row.viable;
+        break;
+    case Outcome::died_out:
+        ++row.died_out;
+        break;
+    case Outcome::too_small:
+        ++row.too_small;
+        break;
+    case Outcome::overgrown:
+        ++row.overgrown;
+        break;
+    case Outcome::never_settled:
+        ++row.never_settled;
+        break;
+    case Outcome::exploded:
+        ++row.exploded;
+        break;
+    }
+    row.overborn += life.births >= birth_limit;
+}
+
+GenerationRow generation_row(const Generation &g, int birth_limit) {
+    GenerationRow row;
+    row.generation = g.number;
+    row.best_slot = g.best;
+    row.best_fitness = g.evaluations[g.best].fitness;
+    row.species = static_cast<int>(g.population.species.size());
+    row.threshold = g.population.threshold;
+    row.archive = static_cast<int>(g.search.archive().size());
+    row.archive_threshold = g.search.archive_threshold();
+
+    // Means are sums in slot order over the population's size.
+    for (const Evaluation &evaluation : g.evaluations) {
+        row.mean_fitness += evaluation.fitness;
+        row.valid += evaluation.valid();
+    }
+    for (const Genome &genome : g.population.genomes) {
+        row.mean_links += static_cast<double>(genome.links.size());
+        row.mean_hidden += genome.hidden();
+    }
+    for (double *mean : {&row.mean_fitness, &row.mean_links, &row.mean_hidden})
+        *mean /= static_cast<double>(g.lives.size());
+    for (const Life &life : g.lives) count(life, birth_limit, row);
+    return row;
+}
+
+} // namespace
+
+std::filesystem::path run_folder(const std::filesystem::path &runs, const std::string &setting,
+                                 std::uint64_t seed) {
+    CHECK(seed <= static_cast<std::uint64_t>(INT64_MAX), seed);
+    constexpr std::size_t digits = 3;
+    std::string number = to_text(static_cast<std::int64_t>(seed));
+    if (number.size() < digits) number.insert(0, digits - number.size(), '0');
+    return runs / setting / ("seed-" + number);
+}
+
+std::string results_sha256(const Manifest &manifest) {
+    Hash results;
+    for (const ManifestRow &row : manifest.rows())
+        if (row.key.find(".csv") != std::string::npos) results.text(row.key).text(row.value);
+    return results.hex();
+}
+
+RunWriter::RunWriter(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
+                     const RunIdentity &identity)
+    : folder_(made(folder)), lock_(folder_), parameters_(spec.parameters), setting_(spec.name),
+      identity_(identity_of(spec, seed, identity)), script_sha256_(sha256(identity.script_text)), seed_(seed),
+      generations_(clear(folder_)), individuals_(folder_), champions_(folder_) {
+    files_.emplace_back(script_file, write_file(folder_ / script_file, identity.script_text));
+    files_.emplace_back(resolved_file, write_file(folder_ / resolved_file, identity.resolved_text));
+}
+
+void RunWriter::observe(const Generation &generation) {
+    CHECK(generation.number == observed_, generation.number, observed_);
+    const std::size_t size = generation.population.genomes.size();
+    CHECK(generation.lives.size() == size && generation.evaluations.size() == size &&
+          generation.scores.size() == size);
+    generations_.write(generation_row(generation, parameters_.birth_limit));
+    write_individuals(generation);
+    write_archive(generation.search);
+    crown(generation);
+    ++observed_;
+}
+
+void RunWriter::write_individuals(const Generation &generation) {
+    const std::vector<int> species = species_of_slots(generation.population);
+    for (std::size_t slot = 0; slot < species.size(); ++slot)
+        individuals_.write(individual_row(generation, static_cast<int>(slot), species[slot]));
+}
+
+/// An archive only grows: its new entries are those behind the ones written before.
+void RunWriter::write_archive(const Search &search) {
+    const auto entries = search.archive();
+    if (!archive_ && search.archive_threshold() > 0) archive_.emplace(folder_);
+    CHECK(entries.size() >= archived_ && (archive_ || entries.empty()), entries.size(), archived_);
+    for (; archived_ < entries.size(); ++archived_) archive_->write(entries[archived_]);
+}
+
+/// The best of the first generation, and everyone fitter than all before.
+void RunWriter::crown(const Generation &generation) {
+    const double fitness = generation.evaluations[generation.best].fitness;
+    if (observed_ > 0 && fitness <= best_fitness_) return;
+    best_fitness_ = fitness;
+    best_genome_ = generation.population.genomes[generation.best];
+    champions_.write(champion_row(generation, parameters_));
+}
+
+void RunWriter::finish() {
+    CHECK(observed_ == parameters_.generations, observed_, parameters_.generations);
+    const auto keep = [&](std::string_view file, std::string hash) {
+        files_.emplace_back(file, std::move(hash));
+    };
+    keep(GenerationRow::file_name, generations_.commit());
+    keep(IndividualRow::file_name, individuals_.commit());
+    keep(ChampionRow::file_name, champions_.commit());
+    if (archive_) keep(ArchiveRow::file_name, archive_->commit());
+    keep(GenomeRow::file_name, write_table<GenomeRow>(folder_, genome_rows(best_genome_)));
+
+    Manifest manifest;
+    manifest.add("version", std::string(version()));
+    manifest.add("compiler", compiler());
+    manifest.add("script_sha256", script_sha256_);
+    manifest.add("identity", identity_);
+    manifest.add("setting", setting_);
+    manifest.add("seed", static_cast<std::int64_t>(seed_));
+    manifest.add("generations", parameters_.generations);
+    manifest.add("population", parameters_.population);
+    manifest.add("evaluations", std::int64_t{parameters_.generations} * parameters_.population);
+    for (const auto &[file, hash] : files_) manifest.add(file, hash);
+    manifest.add("results_sha256", results_sha256(manifest));
+    manifest.add("status", "complete");
+    manifest.write(folder_);
+}
+
+bool is_complete(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
+                 const RunIdentity &identity) {
+    try {
+        const Manifest manifest(folder);
+        return manifest.text("status") == "complete" &&
+               manifest.text("identity") == identity_of(spec, seed, identity);
+    } catch (const InputError &) {
+        return false;
+    }
+}
+
+} // namespace planula

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Settings with histories made by hand, for tests of what is done with them.
+#pragma once
+
+#include "analysis/analysis.h"
+#include "analysis/survey.h"
+#include "core/record/fake_run.h"
+
+#include <memory>
+#include <vector>
+
+namespace planula {
+
+inline Analysis fake_analysis() {
+    Analysis analysis;
+    analysis.experiment = "fake";
+    analysis.sample_share = 0.5;
+    analysis.confidence = 0.95;
+    analysis.resamples = 500;
+    analysis.significance = 0.05;
+    analysis.design.seeds = 6;
+    analysis.design.generations = 10;
+    analysis.design.population = 10;
+    return analysis;
+}
+
+/// Setting "ns" against "neat".
+inline Claim fake_claim(const std::string &test, const std::string &expect = "") {
+    return {.id = "S",
+            .statement = "ns differs, in a way",
+            .section = "§3",
+            .paper = "p = 0.01",
+            .test = test,
+            .a = "ns",
+            .b = "neat",
+            .expect = expect};
+}
+
+/// Runs whose best fitness is the same in every generation: one run per value. Seeds count from 1.
+inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &values) {
+    SettingRuns setting;
+    setting.spec = &spec;
+    setting.generations = values.empty() ? 0 : spec.parameters.generations;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        RecordedRun run;
+        run.seed = static_cast<std::int64_t>(i) + 1;
+        run.generations = spec.parameters.generations;
+        run.population = spec.parameters.population;
+        setting.runs.push_back(run);
+        RunHistory history;
+        history.seed = run.seed;
+        history.best.assign(static_cast<std::size_t>(run.generations), values[i]);
+        for (int after = 1; after <= run.generations; ++after) {
+            RunFacts &facts = history.after[after];
+            facts.champion.fitness = facts.size_entropy = facts.fitness_spread = values[i];
+            facts.direction_resultant = values[i];
+            facts.side_switches = static_cast<int>(values[i]);
+            facts.champion.late_share = 0.25;
+            facts.champion.elongation = 2;
+        }
+        setting.histories.push_back(history);
+    }
+    return setting;
+}
+
+} // namespace planula

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/history.h"
+
+#include "base/error.h"
+#include "core/record/fake_run.h"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <numeric>
+
+using namespace planula;
+using boost::test_tools::tolerance;
+
+namespace {
+
+/// Fitness slot + 1 times a generation's level; the best go left, right, right, left.
+FakeLife life(int generation, int slot) {
+    if (slot == 0) return {.cells = 3, .outcome = Outcome::too_small};
+    constexpr double levels[] = {1, 3, 2, 2}, sides[] = {-1, 1, 1, -1};
+    return {.fitness = levels[generation] * (slot + 1),
+            .moved = {sides[generation] * 2.0, 0},
+            .cells = slot == 1 ? 10 : 20 + generation};
+}
+
+RecordedRun recorded(const TemporaryFolder &folder, int generations = 4, int population = 5) {
+    write_fake_run(folder.path(), fake_spec("ns", generations, population), 1, life);
+    return find_runs(folder.path(), "ns").front();
+}
+
+RunHistory history_of(const RecordedRun &run, const std::vector<int> &marks) {
+    return read_history(run, marks, 4);
+}
+
+/// Replaces the first `from` in a file's text.
+std::string replaced(std::string text, const std::string &from, const std::string &to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+std::string individuals(const RecordedRun &run) {
+    std::string text = header_line<IndividualRow>();
+    for (const IndividualRow &row : read_table<IndividualRow>(run.folder)) text += line_of(row);
+    return text;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(facts_are_what_a_pencil_finds) {
+    const TemporaryFolder folder;
+    const RunHistory history = history_of(recorded(folder), {2, 4});
+    BOOST_TEST((history.best == std::vector<double>{5, 15, 10, 10}));
+    BOOST_TEST(history.best_moved[3].x == -2);
+    BOOST_TEST(history.first.generation == 0);
+    BOOST_TEST(history.last.generation == 3);
+    BOOST_REQUIRE(history.after.size() == 2u);
+
+    // After two generations: sizes 10 (2 times), 20 (3 times), 21 (3 times).
+    const RunFacts &early = history.after.at(2);
+    BOOST_TEST(early.viable == 8);
+    BOOST_TEST(early.size_entropy == -(0.25 * std::log(0.25) + 2 * 0.375 * std::log(0.375)),
+               tolerance(1e-12));
+    BOOST_TEST(early.champion.fitness == 15);
+    BOOST_TEST(early.champion.generation == 1);
+    BOOST_TEST(early.side_switches == 1);
+    BOOST_TEST(early.direction_resultant == 0, tolerance(1e-12));
+
+    // After four: half left and half right; fitness 4, 6, 8, 10 in the last generation, 15 the champion's.
+    const RunFacts &late = history.after.at(4);
+    BOOST_TEST(late.champion.fitness == 15);
+    BOOST_TEST(late.valid_share == 0.8);
+    BOOST_TEST(late.fitness_spread == (8.5 - 5.5) / 15, tolerance(1e-12));
+    BOOST_TEST(late.side_switches == 2);
+    BOOST_TEST(late.viable == 16);
+}
+
+BOOST_AUTO_TEST_CASE(all_in_one_direction_have_the_resultant_one) {
+    const TemporaryFolder folder;
+    const RunHistory history = history_of(recorded(folder, 1), {1});
+    BOOST_TEST(history.after.at(1).direction_resultant == 1, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(fitness_shares_cover_the_last_generation) {
+    // 0, 4, 6, 8, 10 over 15 in quarters: 0 in the first, 4 and 6 in the second, 8 and 10 in the third.
+    const TemporaryFolder folder;
+    const RunHistory history = history_of(recorded(folder), {4});
+    BOOST_REQUIRE(history.fitness_shares.size() == 4u);
+    BOOST_TEST(history.fitness_shares[0] == 0.2, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares[1] == 0.4, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares[2] == 0.4, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares[3] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_past_does_not_depend_on_how_long_the_run_went_on) {
+    const TemporaryFolder folder;
+    const RecordedRun run = recorded(folder);
+    const RunHistory part = history_of(run, {2}), whole = history_of(run, {2, 4});
+    BOOST_TEST(part.after.at(2).size_entropy == whole.after.at(2).size_entropy);
+    BOOST_TEST(part.after.at(2).fitness_spread == whole.after.at(2).fitness_spread);
+    BOOST_TEST(part.best.size() == 2u);
+    BOOST_TEST(part.crowned.generation == whole.crowned.generation);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_where_nobody_lives_has_facts_all_the_same) {
+    const TemporaryFolder folder;
+    write_fake_run(folder.path(), fake_spec("ns", 2, 3), 1,
+                   [](int, int) { return FakeLife{.cells = 0, .outcome = Outcome::died_out}; });
+    const RunHistory history = history_of(find_runs(folder.path(), "ns").front(), {2});
+    BOOST_TEST(history.after.at(2).size_entropy == 0);
+    BOOST_TEST(history.after.at(2).fitness_spread == 0);
+    BOOST_TEST(history.after.at(2).direction_resultant == 0);
+    BOOST_TEST(history.after.at(2).valid_share == 0);
+    BOOST_TEST(history.fitness_shares[0] == 1, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(individuals_out_of_order_or_missing_are_refused_with_their_line) {
+    const TemporaryFolder folder;
+    const RecordedRun run = recorded(folder);
+    const std::string whole = individuals(run), file = (run.folder / "individuals.csv.gz").string();
+    const auto refusal = [&](const std::string &text) {
+        write_file(file, text);
+        return message_of<InputError>([&] { history_of(run, {4}); });
+    };
+    BOOST_TEST(refusal(replaced(whole, "\n0,3,", "\n0,2,")) ==
+               file + ":5: generation 0, slot 2 where generation 0, slot 3 must follow");
+    BOOST_TEST(refusal(whole.substr(0, whole.find("\n3,4,") + 1)) ==
+               file + ":20: individuals are missing at the end");
+    BOOST_TEST(refusal(whole) == "");
+}
+
+BOOST_AUTO_TEST_CASE(generations_and_champions_out_of_order_are_refused_with_their_line) {
+    const TemporaryFolder folder;
+    const RecordedRun run = recorded(folder);
+    const auto refusal = [&](const std::string &name, const std::string &from, const std::string &to) {
+        const std::string whole = read_bytes(run.folder / name);
+        write_bytes(run.folder / name, replaced(whole, from, to));
+        const std::string said = message_of<InputError>([&] { history_of(run, {4}); });
+        write_bytes(run.folder / name, whole);
+        return said;
+    };
+    BOOST_TEST(contains(refusal("generations.csv", "\n2,", "\n5,"),
+                        "generations.csv:4: generation 5 where 2 must follow"));
+    BOOST_TEST(contains(refusal("generations.csv", "\n0,5,4,", "\n0,5,9,"),
+                        "generations.csv:2: best_slot = 9 in a population of 5"));
+    BOOST_TEST(contains(refusal("champions.csv", "\n1,4,", "\n0,4,"),
+                        "champions.csv:3: this is not the next champion"));
+    BOOST_TEST(contains(refusal("champions.csv", "\n0,4,", "\n2,4,"),
+                        "champions.csv:2: this is not the next champion"));
+}

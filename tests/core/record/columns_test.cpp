@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "record/columns.h"
+#include "record/csv.h"
+
+#include <boost/test/unit_test.hpp>
+#include <set>
+
+using namespace planula;
+
+BOOST_AUTO_TEST_CASE(every_column_is_explained_and_named_once_in_its_file) {
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const ColumnRow &row : columns()) {
+        BOOST_TEST(!row.file.empty());
+        BOOST_TEST(!row.meaning.empty(), row.file << ' ' << row.column);
+        BOOST_TEST(seen.insert({row.file, row.column}).second, row.file << ' ' << row.column);
+    }
+    BOOST_TEST(seen.size() > 150u);
+}
+
+BOOST_AUTO_TEST_CASE(headers_are_what_other_programs_expect) {
+    BOOST_TEST(
+        header_line<GenerationRow>() ==
+        "generation,best_fitness,best_slot,mean_fitness,valid,species,threshold,mean_links,mean_hidden,"
+        "archive,archive_threshold,viable,died_out,too_small,overgrown,never_settled,exploded,overborn\n");
+    BOOST_TEST(
+        header_line<IndividualRow>() ==
+        "generation,slot,genome,mother,father,origin,species,fitness,score,penalty,outcome,cells,births,"
+        "end_x,end_y,rest_x,rest_y,activity,elongation,links,hidden\n");
+    BOOST_TEST(header_line<ClaimRow>() ==
+               "id,statement,section,paper,test,setting_a,setting_b,generation,at_generation,runs_a,runs_b,"
+               "effect_name,effect,low,high,p,verdict,note\n");
+    BOOST_TEST(header_line<CurveRow>() == "setting,generation,runs,mean,low,high\n");
+    BOOST_TEST(header_line<LedgerRow>() == "section,name,value,standard,unit,origin,meaning\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_row_is_visited_in_the_order_of_its_header) {
+    const auto header = header_of<EndpointRow>();
+    std::size_t column = 0;
+    const EndpointRow row;
+    each_column(row, [&](std::string_view name, const auto &) { BOOST_TEST(name == header.at(column++)); });
+    BOOST_TEST(column == header.size());
+}
