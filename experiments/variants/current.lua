@@ -1,0 +1,15 @@
+-- SPDX-License-Identifier: MIT
+-- A river that flows to the right. A body that drifts along would score well for nothing, so the fitness counts
+-- only how far it came against the stream: the other functions of the judgement stay the paper's.
+local paper = require "paper"
+
+local function upstream(life, parameters, penalty)
+  return math.max(life.rest.x - life.finish.x, 0) * penalty
+end
+
+return paper.experiment {
+  name = "current",
+  title = "Against the stream",
+  environment = paper.aquatic { flow = { x = 0.2, y = 0 } },
+  fitness = upstream,
+}

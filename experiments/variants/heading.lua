@@ -1,0 +1,17 @@
+-- SPDX-License-Identifier: MIT
+-- Another descriptor: novelty search over the shape of the journey, not only its end. Behaviour is a list of numbers of
+-- any fixed length; distances between lists are Euclidean.
+local paper = require "paper"
+
+-- Where the body was after half of its path, and at the end.
+local function behaviour(life)
+  local middle = life.path[math.ceil(#life.path / 2)]
+  return { middle.x, middle.y, life.finish.x, life.finish.y }
+end
+
+return paper.experiment {
+  name = "heading",
+  title = "Novelty of the journey",
+  search = "novelty",
+  behaviour = behaviour,
+}

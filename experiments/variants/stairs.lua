@@ -1,0 +1,17 @@
+-- SPDX-License-Identifier: MIT
+-- Ground that is not flat, stated by points {x, y} from left to right; beyond the first and the last it goes
+-- on level. Bodies start around x = 0. On these stairs it is novelty search that pays off for walking up, as it is
+-- rewarded for places where nobody ended before.
+local paper = require "paper"
+
+return paper.experiment {
+  name = "stairs",
+  title = "Stairs on both sides",
+  search = "novelty",
+  environment = paper.terrestrial {
+    ground = {
+      { -60, 3 }, { -40.1, 3 }, { -40, 2 }, { -25.1, 2 }, { -25, 1 }, { -15.1, 1 }, { -15, 0 },
+      { 15, 0 }, { 15.1, 1 }, { 25, 1 }, { 25.1, 2 }, { 40, 2 }, { 40.1, 3 }, { 60, 3 },
+    },
+  },
+}

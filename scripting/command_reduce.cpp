@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/analysis.h"
+#include "base/text.h"
+#include "record/run_writer.h"
+#include "scripting/commands.h"
+
+#include <ostream>
+
+namespace planula {
+
+namespace {
+
+constexpr Option reduce_options[] = {
+    {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
+    {"out", "DIR", "where the tables go (default: build/data)"},
+    {"seeds", "A:B|N", "warn of each run of these seeds that is not there"},
+    generations_option,
+    population_option,
+    set_option,
+};
+
+constexpr Option frames_options[] = {
+    {"data", "DIR", "where best_genomes.csv is (default: build/data)"},
+    {"out", "DIR", "where the frame tables go (default: build/frames)"},
+    set_option,
+};
+
+void warn_of_missing(const Experiment &experiment, const std::vector<std::uint64_t> &seeds,
+                     const std::filesystem::path &runs, std::ostream &err) {
+    for (const Spec &setting : experiment.settings) {
+        const RunIdentity identity = identity_of(experiment, setting);
+        for (const std::uint64_t seed : seeds) {
+            const auto folder = run_folder(runs, setting.name, seed);
+            if (!is_complete(folder, setting, seed, identity))
+                err << folder.string() << ": no complete run of this experiment\n";
+        }
+    }
+}
+
+int reduce_runs(const Arguments &arguments, Console &console) {
+    const Experiment experiment = experiment_of(arguments, console);
+    const std::string runs = runs_folder(arguments, "runs", experiment);
+    const std::string out = arguments.text("out", "build/data");
+    if (arguments.has("seeds"))
+        warn_of_missing(experiment, seeds_of(arguments, experiment), runs, console.err);
+    reduce(experiment.analysis, experiment.settings, runs, out);
+    console.out << out << '\n';
+    return 0;
+}
+
+int make_frames(const Arguments &arguments, Console &console) {
+    const Experiment experiment = experiment_of(arguments, console);
+    const std::string out = arguments.text("out", "build/frames");
+    write_frames(experiment.settings, arguments.text("data", "build/data"), out);
+    console.out << out << '\n';
+    return 0;
+}
+
+} // namespace
+
+const Command &reduce_command() {
+    static const Command command{
+        "reduce",
+        "FILE.lua",
+        "turns runs into tidy tables: curves, end points, entropies, claims",
+        "Reads all complete runs of the experiment below --runs and writes CSV tables, the manifest last; "
+        "planula\n"
+        "columns explains every column. Claims whose data are not all there stay open.",
+        reduce_options,
+        reduce_runs};
+    return command;
+}
+
+const Command &frames_command() {
+    static const Command command{"frames",
+                                 "FILE.lua",
+                                 "lives the best individual of each setting again and writes its frames",
+                                 "Takes the genomes from best_genomes.csv, which planula reduce wrote, and "
+                                 "refuses them if they do not live as\n"
+                                 "recorded there.",
+                                 frames_options,
+                                 make_frames};
+    return command;
+}
+
+} // namespace planula

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "base/error.h"
+#include "base/text.h"
+#include "experiment/run.h"
+#include "record/run_writer.h"
+#include "scripting/commands.h"
+#include "scripting/interrupt.h"
+#include "scripting/progress.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace planula {
+
+namespace {
+
+constexpr Option options[] = {
+    {"seeds", "A:B|N", "seeds A to B, or the one seed N (default: 1 to the parameter `seeds`)"},
+    generations_option,
+    population_option,
+    threads_option,
+    set_option,
+    {"only", "SETTING", "this setting and no other; may be repeated", true},
+    {"out", "DIR", "where the runs go (default: build/runs/<experiment>)"},
+};
+
+// One run that the command asks for.
+struct Task {
+    std::size_t setting;
+    std::uint64_t seed;
+};
+
+std::vector<std::size_t> chosen_settings(const Arguments &arguments, const Experiment &experiment) {
+    std::vector<std::string> names;
+    for (const Spec &setting : experiment.settings) names.push_back(setting.name);
+    const std::vector<std::string> only = arguments.all("only");
+    for (const std::string &name : only) {
+        if (experiment.find(name)) continue;
+        const std::string nearest = nearest_name(name, names);
+        throw UsageError("--only " + name + ": the experiment has no such setting" +
+                         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    }
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (only.empty() || std::find(only.begin(), only.end(), names[i]) != only.end()) chosen.push_back(i);
+    return chosen;
+}
+
+class RunCommand {
+  public:
+    RunCommand(const Arguments &arguments, Console &console)
+        : console_(console), experiment_(experiment_of(arguments, console)), threads_(threads_of(arguments)),
+          out_(runs_folder(arguments, "out", experiment_)), seeds_(seeds_of(arguments, experiment_)),
+          settings_(chosen_settings(arguments, experiment_)) {}
+
+    int run() {
+        const std::vector<Task> tasks = open_tasks();
+        std::int64_t evaluations = 0;
+        for (const Task &task : tasks) evaluations += evaluations_of(experiment_.settings[task.setting]);
+        const Interrupt interrupt;
+        Progress progress(console_.err, console_.terminal, evaluations);
+        try {
+            for (const Task &task : tasks) run_task(task, interrupt, progress);
+        } catch (const Stopped &) {
+            throw Stopped("stopped; finished runs are kept, and the same command goes on");
+        }
+        progress.tell(to_text(static_cast<std::int64_t>(tasks.size())) + " runs done, in " + out_.string());
+        return 0;
+    }
+
+  private:
+    static std::int64_t evaluations_of(const Spec &setting) {
+        return static_cast<std::int64_t>(setting.parameters.population) * setting.parameters.generations;
+    }
+
+    // What is still to do: seed by seed, so that an interrupted command leaves all settings alike.
+    std::vector<Task> open_tasks() {
+        std::vector<Task> tasks;
+        for (const std::uint64_t seed : seeds_)
+            for (const std::size_t i : settings_) {
+                const Spec &setting = experiment_.settings[i];
+                const auto folder = run_folder(out_, setting.name, seed);
+                if (!is_complete(folder, setting, seed, identity_of(experiment_, setting)))
+                    tasks.push_back({i, seed});
+                else
+                    console_.err << folder.string() << ": complete already, skipped\n";
+            }
+        return tasks;
+    }
+
+    void run_task(const Task &task, const Interrupt &interrupt, Progress &progress) {
+        const Spec &setting = experiment_.settings[task.setting];
+        Hooks &hooks = *experiment_.hooks[task.setting];
+        const std::string name = setting.name + " seed " + to_text(static_cast<std::int64_t>(task.seed));
+        RunWriter writer(run_folder(out_, setting.name, task.seed), setting, task.seed,
+                         identity_of(experiment_, setting));
+        hooks.begin_run();
+        progress.begin(name, setting.parameters.generations);
+        double best = 0;
+        const auto observe = [&](const Generation &generation) {
+            writer.observe(generation);
+            best = std::max(best, generation.evaluations[static_cast<std::size_t>(generation.best)].fitness);
+            progress.generation(generation.number, best, static_cast<int>(generation.lives.size()));
+        };
+        planula::run(setting, task.seed, threads_, observe, [&] { return interrupt.requested(); });
+        writer.finish();
+        progress.tell(name + ": done, best " + to_fixed(best, 2));
+        if (hooks.invalid() > 0)
+            progress.tell(name + ": " + to_text(hooks.invalid()) +
+                          " individuals count as not valid, the first because: " + hooks.first_problem());
+    }
+
+    Console &console_;
+    const Experiment experiment_;
+    const int threads_;
+    const std::filesystem::path out_;
+    const std::vector<std::uint64_t> seeds_;
+    const std::vector<std::size_t> settings_;
+};
+
+int run_runs(const Arguments &arguments, Console &console) { return RunCommand(arguments, console).run(); }
+
+} // namespace
+
+const Command &run_command() {
+    static const Command command{"run",
+                                 "FILE.lua",
+                                 "runs every setting of an experiment, for every seed",
+                                 "Each run goes to DIR/<setting>/seed-NNN/: the script, tables, and last a "
+                                 "manifest. A run that is complete\n"
+                                 "with the same script, parameters, seed and version is skipped, so a "
+                                 "command that was stopped (Ctrl-C,\n"
+                                 "exit code 75) is repeated to go on. Results depend on the script, its "
+                                 "parameters and the seed alone.",
+                                 options,
+                                 run_runs};
+    return command;
+}
+
+} // namespace planula

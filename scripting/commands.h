@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The commands of planula, and the parts that several of them share.
+#pragma once
+
+#include "scripting/arguments.h"
+#include "scripting/schema.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace planula {
+
+const Command &run_command();
+const Command &check_command();
+const Command &describe_command();
+const Command &reduce_command();
+const Command &frames_command();
+const Command &signature_command();
+const Command &parameters_command();
+const Command &columns_command();
+
+/// All of them, in the order of --help.
+std::vector<const Command *> all_commands();
+
+/// Runs the command that the words after the program's name ask for. Returns the exit code (base/error.h);
+/// errors are told on console.err.
+int run_program(const std::vector<std::string> &words, Console &console);
+
+// ---- Options that several commands have -------------------------------------------------------------------
+
+inline constexpr Option generations_option{"generations", "N",
+                                           "generations of every setting, instead of the script's"};
+inline constexpr Option population_option{"population", "N",
+                                          "individuals of a generation, instead of the script's"};
+inline constexpr Option set_option{"set", "NAME=VALUE",
+                                   "a parameter of every setting; see planula parameters", true};
+inline constexpr Option threads_option{"threads", "N",
+                                       "threads to use; the results do not depend on it (default: all)"};
+
+/// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
+Overrides overrides_of(const Arguments &arguments);
+/// Loads the experiment file that is the operand.
+Experiment experiment_of(const Arguments &arguments, const Console &console);
+/// --seeds A:B or N; without it 1 … the parameter `seeds`. Throws UsageError.
+std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
+/// --threads, or all of the machine.
+int threads_of(const Arguments &arguments);
+/// Where runs of the experiment lie unless an option says otherwise: build/runs/<experiment>.
+std::string runs_folder(const Arguments &arguments, std::string_view option, const Experiment &experiment);
+
+} // namespace planula

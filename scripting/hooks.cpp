@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "scripting/hooks.h"
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "scripting/lua_state.h"
+#include "scripting/wrap.h"
+#include "scripting/wrap_life.h"
+
+#include <bit>
+#include <cmath>
+
+namespace planula {
+
+namespace {
+
+constexpr std::size_t longest_behaviour = 16;
+// Every call is judged twice whose number is a power of two, or a multiple of this one.
+constexpr std::int64_t calls_between_samples = 1024;
+constexpr Limits limits_of_a_call{
+    .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};
+
+bool is_sample(std::int64_t call) {
+    return std::has_single_bit(static_cast<std::uint64_t>(call)) || call % calls_between_samples == 0;
+}
+
+// A body of some size that lived as the outcome says.
+Life specimen(Outcome outcome, const Parameters &parameters) {
+    Life life;
+    life.outcome = outcome;
+    const bool grew = outcome != Outcome::died_out && outcome != Outcome::too_small;
+    life.cells = grew ? 4 * parameters.minimum_cells : 0;
+    life.largest = outcome == Outcome::overgrown ? parameters.cell_limit : life.cells;
+    life.births = life.largest + 1;
+    if (outcome != Outcome::viable) return life;
+    life.links = 2 * life.cells;
+    life.triangles = life.cells + 1;
+    life.elongation = 2;
+    life.settle_steps = 2 * parameters.settle_window;
+    life.rest = {0, 1};
+    life.end = {10, 1.5};
+    life.activity = 0.25;
+    const int steps = parameters.locomotion_steps / parameters.path_interval;
+    for (int i = 0; i <= steps; ++i)
+        life.path.push_back(life.rest +
+                            (life.end - life.rest) * (steps ? i / static_cast<double>(steps) : 1.0));
+    return life;
+}
+
+} // namespace
+
+// What the functions said of one life.
+struct Hooks::Verdict {
+    Evaluation evaluation;
+    std::string problem;     // of the functions; empty if there is none
+    bool wrong_kind = false; // the problem is an error or a value of another kind
+    Exhausted exhausted = Exhausted::no;
+};
+
+// The three functions in a Lua state of their own.
+class Hooks::Functions {
+  public:
+    Functions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters)
+        : lua_(sources, sources->script()), parameters_(parameters) {
+        const Value &result = lua_.result();
+        const Value *settings = result.find("settings");
+        const Value &setting = settings ? settings->list.at(static_cast<std::size_t>(index)) : result;
+        for (const auto &[name, reference] :
+             {std::pair{"penalty", &penalty_}, std::pair{"fitness", &fitness_},
+              std::pair{"behaviour", &behaviour_}}) {
+            const Value *function = setting.find(name);
+            CHECK(function && function->is(Value::Kind::function), name);
+            *reference = function->function;
+        }
+        CHECK(lua_cpcall(lua_.raw(), prepare, this) == 0);
+    }
+
+    /// "file:line: " of the function of that name.
+    std::string where(std::string_view name) {
+        lua_Debug function;
+        lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX,
+                    name == "penalty"   ? penalty_
+                    : name == "fitness" ? fitness_
+                                        : behaviour_);
+        lua_getinfo(lua_.raw(), ">S", &function);
+        return std::string(function.short_src) + ":" + to_text(function.linedefined) + ": ";
+    }
+
+    Verdict judge(const Life &life) {
+        slot_->life = &life;
+        Verdict verdict;
+        ask(verdict);
+        slot_->life = nullptr;
+        if (!verdict.problem.empty()) verdict.evaluation = {};
+        return verdict;
+    }
+
+  private:
+    // Makes the two values that every call is given.
+    static int prepare(lua_State *L) {
+        Functions &self = *static_cast<Functions *>(lua_touserdata(L, 1));
+        self.slot_ = &push_life(L);
+        self.life_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        lua_newtable(L);
+        for (const ParameterRow &row : parameter_rows()) {
+            lua_pushlstring(L, row.name.data(), row.name.size());
+            lua_pushnumber(L, parameter(self.parameters_, row.name));
+            lua_rawset(L, -3);
+        }
+        freeze(L, "parameters");
+        self.shown_parameters_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        return 0;
+    }
+
+    void ask(Verdict &verdict) {
+        Evaluation &evaluation = verdict.evaluation;
+        if (!number("penalty", penalty_, nullptr, evaluation.penalty, verdict)) return;
+        if (evaluation.penalty > 1) return fail("penalty", "returned a number above 1", verdict);
+        if (!evaluation.valid()) return;
+        if (!number("fitness", fitness_, &evaluation.penalty, evaluation.fitness, verdict)) return;
+        list(evaluation.behaviour, verdict);
+    }
+
+    void fail(const std::string &name, const std::string &what, Verdict &verdict) {
+        verdict.problem = where(name) + name + " " + what;
+    }
+    void fail_kind(const std::string &name, const std::string &wanted, int type, Verdict &verdict) {
+        fail(name, "returned " + std::string(lua_typename(lua_.raw(), type)) + ", not " + wanted, verdict);
+        verdict.wrong_kind = true;
+    }
+
+    // Leaves one value on the stack; false if an error was raised.
+    bool call(const std::string &name, int function, const double *penalty, Verdict &verdict) {
+        lua_State *L = lua_.raw();
+        lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, life_);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, shown_parameters_);
+        if (penalty) lua_pushnumber(L, *penalty);
+        const auto message = lua_.call(penalty ? 3 : 2, limits_of_a_call);
+        if (!message) return true;
+        verdict.problem = *message + " (in " + name + ")";
+        verdict.wrong_kind = true;
+        verdict.exhausted = lua_.exhausted();
+        return false;
+    }
+
+    // A finite number, 0 or more.
+    bool number(const std::string &name, int function, const double *penalty, double &result,
+                Verdict &verdict) {
+        if (!call(name, function, penalty, verdict)) return false;
+        lua_State *L = lua_.raw();
+        const int type = lua_type(L, -1);
+        result = lua_tonumber(L, -1);
+        lua_pop(L, 1);
+        if (type != LUA_TNUMBER)
+            fail_kind(name, "a number", type, verdict);
+        else if (!std::isfinite(result))
+            fail(name, "returned " + to_text(result), verdict);
+        else if (result < 0)
+            fail(name, "returned a number below 0", verdict);
+        return verdict.problem.empty();
+    }
+
+    void list(std::vector<double> &result, Verdict &verdict) {
+        if (!call("behaviour", behaviour_, nullptr, verdict)) return;
+        lua_State *L = lua_.raw();
+        const int type = lua_type(L, -1);
+        const std::size_t size = type == LUA_TTABLE ? lua_objlen(L, -1) : 0;
+        if (type != LUA_TTABLE)
+            fail_kind("behaviour", "a list of numbers", type, verdict);
+        else if (size < 1 || size > longest_behaviour) {
+            fail("behaviour", "must return a list of 1 … 16 numbers", verdict);
+            verdict.wrong_kind = true;
+        }
+        for (std::size_t i = 1; i <= size && verdict.problem.empty(); ++i) {
+            lua_rawgeti(L, -1, static_cast<int>(i));
+            result.push_back(lua_tonumber(L, -1));
+            if (lua_type(L, -1) != LUA_TNUMBER)
+                fail_kind("behaviour", "numbers", lua_type(L, -1), verdict);
+            else if (!std::isfinite(result.back()))
+                fail("behaviour", "returned " + to_text(result.back()), verdict);
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+        // All descriptors of a run have one length: that of the first.
+        if (verdict.problem.empty() && length_ == 0) length_ = size;
+        if (verdict.problem.empty() && length_ != size)
+            fail("behaviour",
+                 "returned " + to_text(static_cast<int>(size)) + " numbers, and " +
+                     to_text(static_cast<int>(length_)) + " before",
+                 verdict);
+    }
+
+    LuaState lua_;
+    const Parameters parameters_;
+    LifeSlot *slot_ = nullptr;
+    int penalty_ = 0, fitness_ = 0, behaviour_ = 0; // references of lua_
+    int life_ = 0, shown_parameters_ = 0;
+    std::size_t length_ = 0;
+};
+
+Hooks::Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters)
+    : sources_(std::move(sources)), index_(index), parameters_(parameters) {
+    begin_run();
+}
+
+Hooks::~Hooks() = default;
+
+void Hooks::begin_run() {
+    functions_ = std::make_unique<Functions>(sources_, index_, parameters_);
+    calls_ = invalid_ = 0;
+    first_problem_.clear();
+}
+
+Hooks::Verdict Hooks::judge_twice(const Life &life) {
+    const Verdict verdict = functions_->judge(life);
+    const Verdict fresh = Functions(sources_, index_, parameters_).judge(life);
+    const auto differ = [&](const char *name) {
+        throw InputError(functions_->where(name) + name +
+                         " remembers earlier calls: a life must be judged by itself alone");
+    };
+    const Evaluation &a = verdict.evaluation, &b = fresh.evaluation;
+    if (a.penalty != b.penalty || verdict.problem.empty() != fresh.problem.empty()) differ("penalty");
+    if (a.fitness != b.fitness) differ("fitness");
+    if (a.behaviour != b.behaviour) differ("behaviour");
+    return verdict;
+}
+
+void Hooks::try_out() {
+    begin_run();
+    for (std::size_t i = 0; i < outcome_names.size(); ++i) {
+        const Life life = specimen(static_cast<Outcome>(i), parameters_);
+        functions_->judge(life);
+        const Verdict verdict = judge_twice(life);
+        if (verdict.wrong_kind)
+            throw InputError(verdict.problem + " for a trial life with outcome '" + outcome_names[i] + "'");
+    }
+    begin_run();
+}
+
+Evaluation Hooks::judge(const Life &life) {
+    const Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
+    if (verdict.exhausted == Exhausted::memory || verdict.exhausted == Exhausted::seconds)
+        throw InputError(verdict.problem);
+    if (!verdict.problem.empty() && invalid_++ == 0) first_problem_ = verdict.problem;
+    return verdict.evaluation;
+}
+
+} // namespace planula

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The judgement of a setting, by three Lua functions of its script:
+//
+//   penalty(life, parameters)            p of Eq. (6), 0 … 1; 0: not a valid individual, nothing else is
+//   asked fitness(life, parameters, penalty)   f of Eq. (4), 0 or more behaviour(life, parameters) the
+//   descriptor of novelty search, a list of 1 … 16 numbers
+//
+// A function that raises an error, or returns something else, makes that individual invalid; it is counted
+// and the run goes on. Functions must not remember anything: a sample of lives is judged a second time in a
+// fresh Lua state, and must be judged alike there.
+#pragma once
+
+#include "evaluation/life.h"
+#include "evolution/evaluation.h"
+#include "parameters/parameters.h"
+#include "scripting/sources.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace planula {
+
+class Hooks {
+  public:
+    /// The functions of setting `index` (from 0) of the script, and the parameters that they are shown.
+    Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters);
+    ~Hooks();
+
+    /// Judges a few made-up lives, one of each outcome. Throws InputError if a function raises an error,
+    /// returns a value of another kind, or judges the same life differently the second time.
+    void try_out();
+
+    /// Begins a run: fresh functions, nothing counted.
+    void begin_run();
+    /// Throws InputError if the functions remember earlier calls, or exceed the limits on memory or time,
+    /// which depend on the machine.
+    Evaluation judge(const Life &life);
+
+    std::int64_t invalid() const { return invalid_; }
+    /// What was wrong with the first invalid individual of the run.
+    const std::string &first_problem() const { return first_problem_; }
+
+  private:
+    class Functions;
+    struct Verdict;
+    Verdict judge_twice(const Life &life);
+
+    std::shared_ptr<Sources> sources_;
+    int index_;
+    Parameters parameters_;
+    std::unique_ptr<Functions> functions_;
+    std::int64_t calls_ = 0, invalid_ = 0;
+    std::string first_problem_;
+};
+
+} // namespace planula

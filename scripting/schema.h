@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// From an experiment file to what the core understands. The file returns a table:
+//
+//   name, title       of the experiment
+//   actuation         "oscillator" or "grn"
+//   search            a name of make_search(): "neat", "novelty"
+//   environment       {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y},
+//   actuation_range} parameters        {name = value}: departures from the standard values fitness, penalty,
+//   behaviour      functions (scripting/hooks.h) statistics        a table, or the name of a module that
+//   returns one (scripting/schema_statistics.h) settings          instead of actuation … behaviour: a list of
+//   tables with a name, a title and these keys;
+//                     `parameters` beside `settings` holds for all of them
+//
+// A number of an environment may be the name of a parameter, which then stands for its value. Every unknown
+// key, wrong kind and broken rule is reported, all together, each with its line and the nearest name.
+#pragma once
+
+#include "analysis/analysis.h"
+#include "experiment/spec.h"
+#include "record/run_writer.h"
+#include "scripting/hooks.h"
+#include "scripting/sources.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace planula {
+
+struct Experiment {
+    std::string name, title;
+    std::vector<Spec> settings;
+    std::vector<std::shared_ptr<Hooks>> hooks; // one per setting; its judge calls them
+    Analysis analysis;
+    std::shared_ptr<Sources> sources;
+    std::size_t code_sources = 0; // so many of `sources` decide results; the others only state statistics
+
+    const Spec *find(std::string_view setting) const;
+};
+
+/// Parameters set from outside the script, in order; later ones win.
+using Overrides = std::vector<std::pair<std::string, double>>;
+
+/// Loads, checks and tries out an experiment file. Throws InputError with everything that is wrong, each on a
+/// line that starts with name:line, where it has one.
+Experiment load_experiment(const std::filesystem::path &script, const std::filesystem::path &library,
+                           const Overrides &overrides = {});
+Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides = {});
+
+/// The resolved setting as Lua text that depends on nothing but what decides its results: every parameter,
+/// the environment, actuation, search, and the hashes of the script and the modules it requires.
+std::string resolved_text(const Experiment &experiment, const Spec &setting);
+
+/// What a run directory keeps of the experiment.
+RunIdentity identity_of(const Experiment &experiment, const Spec &setting);
+
+} // namespace planula

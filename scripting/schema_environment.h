@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The environment of a setting, from its table. `ground` is "none", "flat", a polyline {{x, y}, …}, or
+// {height = function(x) … end, from = …, to = …, step = …}, which is sampled once, here.
+#pragma once
+
+#include "physics/environment.h"
+#include "scripting/lua_state.h"
+#include "scripting/reader.h"
+
+namespace planula {
+
+struct World {
+    Environment environment;
+    double actuation_range = 0;
+};
+
+World read_environment(const Value &table, const Place &place, const Parameters &parameters, LuaState &lua,
+                       Problems &problems);
+
+} // namespace planula

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script
+// runs, and to find the line on which a key of a table constructor is stated. It does not parse Lua; LuaJIT
+// does.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planula {
+
+struct Token {
+    enum class Kind { name, number, text, symbol };
+    Kind kind = Kind::symbol;
+    std::string_view word; // as written; of a short string the part between the quotes
+    int line = 0;          // from 1
+};
+
+/// The tokens of a source without comments. Words point into `source`. Never fails: an unclosed string ends
+/// with the source, and LuaJIT reports it.
+std::vector<Token> scan(std::string_view source);
+
+/// Throws InputError "name:line: …" at the first word whose meaning depends on the machine: `^`, whose
+/// result comes from the C library, and 64-bit or imaginary number literals, which belong to the FFI.
+void refuse_machine_dependent(std::span<const Token> tokens, std::string_view name);
+
+/// One step into a table constructor: by name, or, if the name is empty, by position from 1.
+struct Step {
+    std::string key;
+    int index = 0;
+};
+
+/// The line of the entry that `path` leads to in the first table constructor opened on or after `line`; of
+/// the deepest entry that is found, or `line` itself, where the path does not lead to the end.
+int line_of_entry(std::span<const Token> tokens, int line, std::span<const Step> path);
+
+/// The line of the last `return` outside all blocks; 1 if there is none.
+int line_of_return(std::span<const Token> tokens);
+
+} // namespace planula

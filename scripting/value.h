@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What a script returned, as a plain tree outside Lua: no call into Lua can fail while it is read.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace planula {
+
+/// Where a table was made: a line of one of the script's sources.
+struct Site {
+    std::string source; // message name; empty: unknown
+    int line = 0;
+};
+
+struct Value {
+    enum class Kind { nil, boolean, number, text, function, table };
+    Kind kind = Kind::nil;
+    bool boolean = false;
+    double number = 0;
+    std::string text;
+    int function = 0;        // a reference of the Lua state that the value came from
+    std::vector<Value> list; // of a table: entries 1 … n
+    std::vector<std::pair<std::string, Value>> fields; // of a table: named entries, ascending by name
+    Site site;                                         // of a table that planula.locate() was told of
+
+    bool is(Kind k) const { return kind == k; }
+    /// The field of that name; null if there is none.
+    const Value *find(std::string_view name) const {
+        for (const auto &[key, value] : fields)
+            if (key == name) return &value;
+        return nullptr;
+    }
+};
+
+/// "a number", "a table" …, for messages.
+const char *name_of(Value::Kind kind);
+
+} // namespace planula

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// planula: what the prelude (planula.lua) builds on.
+#include "parameters/parameters.h"
+#include "scripting/convert.h"
+#include "scripting/wrap.h"
+
+namespace planula {
+
+namespace {
+
+int locate(lua_State *L) {
+    luaL_checktype(L, 1, LUA_TTABLE);
+    lua_settop(L, 1);
+    remember_site(L);
+    return 1;
+}
+
+} // namespace
+
+void wrap_planula(lua_State *L) {
+    lua_newtable(L);
+    lua_pushcfunction(L, locate);
+    lua_setfield(L, -2, "locate");
+    lua_newtable(L);
+    for (const ParameterRow &row : parameter_rows()) {
+        lua_pushlstring(L, row.name.data(), row.name.size());
+        lua_pushnumber(L, row.standard);
+        lua_rawset(L, -3);
+    }
+    freeze(L, "planula.parameters");
+    lua_setfield(L, -2, "parameters");
+}
+
+} // namespace planula

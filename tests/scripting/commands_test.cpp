@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "scripting/commands.h"
+
+#include "support/scripts.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace planula;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Said {
+    int code;
+    std::string out, err;
+};
+
+Said planula_says(const std::vector<std::string> &words) {
+    std::ostringstream out, err;
+    Console console{out, err, false, test::experiments_folder()};
+    const int code = run_program(words, console);
+    return {code, out.str(), err.str()};
+}
+
+// A folder with one small experiment, removed afterwards.
+struct Workplace {
+    explicit Workplace(const std::string &text) {
+        fs::remove_all(path);
+        fs::create_directories(path);
+        std::ofstream(path / "small.lua") << text;
+    }
+    ~Workplace() { fs::remove_all(path); }
+    std::string script() const { return (path / "small.lua").string(); }
+    std::string runs() const { return (path / "runs").string(); }
+    fs::path path = fs::temp_directory_path() / ("planula-commands-" + std::to_string(getpid()));
+};
+
+const char *const small =
+    "local paper = require 'paper'\n"
+    "return paper.experiment { name = 'small', parameters = { population = 6, generations = 2, "
+    "seeds = 2 } }\n";
+
+std::string content(const fs::path &path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(help_names_every_command_and_each_has_its_own) {
+    const Said help = planula_says({"--help"});
+    BOOST_TEST(help.code == 0);
+    for (const Command *command : all_commands()) {
+        BOOST_TEST(test::contains(help.out, "\n  " + std::string(command->name) + " "), command->name);
+        const Said own = planula_says({std::string(command->name), "--help"});
+        BOOST_TEST(own.code == 0, command->name);
+        BOOST_TEST(test::contains(own.out, "usage: planula " + std::string(command->name)), command->name);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
+    BOOST_TEST(planula_says({}).code == 2);
+    const Said misspelt = planula_says({"chek"});
+    BOOST_TEST(misspelt.code == 2);
+    BOOST_TEST(test::contains(misspelt.err, "no command 'chek'; did you mean 'check'?"));
+    const Workplace place(small);
+    const auto refused = [&](std::vector<std::string> words, const std::string &part) {
+        words.insert(words.begin(), {"run", place.script(), "--out", place.runs()});
+        const Said said = planula_says(words);
+        BOOST_TEST(said.code == 2, part);
+        BOOST_TEST(test::contains(said.err, part), said.err);
+    };
+    refused({"--set", "populaton=5"}, "did you mean 'population'?");
+    refused({"--set", "population"}, "--set takes name=value, not 'population'");
+    refused({"--set", "population=x"}, "--set population takes a number, not 'x'");
+    refused({"--generations", "0"}, "generations = 0 is outside");
+    refused({"--seeds", "3:1"}, "A:B needs A <= B");
+    refused({"--seeds", "a"}, "--seeds takes A:B or N");
+    refused({"--seeds", "1:2:3"}, "--seeds takes A:B or N");
+    refused({"--threads", "0"}, "--threads takes a whole number of 1 or more");
+    refused({"--only", "smal"}, "did you mean 'small'?");
+    BOOST_TEST(!fs::exists(place.runs()));
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_script_ends_with_65) {
+    const Workplace place("return { name = 5 }");
+    for (const char *command : {"check", "run", "describe", "reduce", "frames"}) {
+        const Said said = planula_says({command, place.script()});
+        BOOST_TEST(said.code == 65, command);
+        BOOST_TEST(test::contains(said.err, "small.lua:1: name must be a text, not a number"), said.err);
+    }
+    BOOST_TEST(planula_says({"check", "nowhere.lua"}).code == 65);
+}
+
+BOOST_AUTO_TEST_CASE(check_and_describe_tell_what_is_there) {
+    const Workplace place(small);
+    const Said check = planula_says({"check", place.script()});
+    BOOST_TEST(check.code == 0);
+    BOOST_TEST(check.out == "ok: " + place.script() + ": small, 1 setting: small\n");
+    const Said describe = planula_says({"describe", place.script(), "--set", "gravity=2"});
+    BOOST_TEST(describe.code == 0);
+    BOOST_TEST(test::contains(describe.out, "population = 6 genomes (standard 300, §2.7.2)"), describe.out);
+    BOOST_TEST(test::contains(describe.out, "gravity = 2 cell/t.u.² (standard 5, ours)"), describe.out);
+}
+
+BOOST_AUTO_TEST_CASE(the_ledger_and_the_dictionary_have_a_line_for_everything) {
+    const Said plain = planula_says({"parameters"}), csv = planula_says({"parameters", "--csv"});
+    for (const ParameterRow &row : parameter_rows()) {
+        BOOST_TEST(test::contains(plain.out, "  " + std::string(row.name) + " = "), row.name);
+        BOOST_TEST(test::contains(csv.out, "," + std::string(row.name) + ","), row.name);
+    }
+    BOOST_TEST(csv.out.starts_with("section,name,value,standard,unit,origin,meaning\n"));
+    BOOST_TEST(planula_says({"columns"}).out.starts_with("file,column,unit,meaning\n"));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_is_written_skipped_when_complete_and_redone_when_anything_changed) {
+    const Workplace place(small);
+    const Said first = planula_says({"run", place.script(), "--seeds", "7", "--out", place.runs()});
+    BOOST_TEST(first.code == 0, first.err);
+    const fs::path folder = fs::path(place.runs()) / "small" / "seed-007";
+    const std::string individuals = content(folder / "individuals.csv.gz");
+    BOOST_TEST(!individuals.empty());
+    BOOST_TEST(test::contains(content(folder / "resolved.lua"), "population = 6"));
+    BOOST_TEST(content(folder / "experiment.lua") == small);
+
+    const Said again = planula_says({"run", place.script(), "--seeds", "7", "--out", place.runs()});
+    BOOST_TEST(again.code == 0);
+    BOOST_TEST(test::contains(again.err, "complete already, skipped"), again.err);
+    const Said changed =
+        planula_says({"run", place.script(), "--seeds", "7", "--out", place.runs(), "--population", "7"});
+    BOOST_TEST(changed.code == 0);
+    BOOST_TEST(!test::contains(changed.err, "skipped"), changed.err);
+    BOOST_TEST(content(folder / "individuals.csv.gz") != individuals);
+}
+
+BOOST_AUTO_TEST_CASE(threads_and_the_folder_of_the_script_change_no_byte) {
+    const Workplace place(small);
+    const std::string other = place.path / "other";
+    planula_says({"run", place.script(), "--seeds", "1", "--out", place.runs(), "--threads", "1"});
+    planula_says({"run", place.script(), "--seeds", "1", "--out", other, "--threads", "3"});
+    for (const char *file :
+         {"individuals.csv.gz", "generations.csv", "best_genome.csv", "manifest.csv", "resolved.lua"}) {
+        const std::string bytes = content(fs::path(place.runs()) / "small/seed-001" / file);
+        BOOST_TEST(!bytes.empty(), file);
+        BOOST_TEST(bytes == content(fs::path(other) / "small/seed-001" / file), file);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(invalid_individuals_are_reported_at_the_end_of_a_run) {
+    const Workplace place(
+        "local paper = require 'paper'\n"
+        "return paper.experiment { name = 'small', parameters = { population = 12, generations = 1 },\n"
+        "penalty = function() return 1 end,\n"
+        "fitness = function(life) return life.births > 1.5 and life.rest.x ~= 0 and 0/0 or 0/0 end }\n");
+    const Said said = planula_says({"run", place.script(), "--seeds", "1", "--out", place.runs()});
+    BOOST_TEST(said.code == 0, said.err);
+    BOOST_TEST(test::contains(said.err, "12 individuals count as not valid, the first because: "), said.err);
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_stops_the_run_with_75_and_says_how_to_go_on) {
+    const Workplace place(small);
+    const pid_t child = fork();
+    if (child == 0) {
+        std::ofstream silent(place.path / "said");
+        Console console{silent, silent, false, test::experiments_folder()};
+        const int code = run_program(
+            {"run", place.script(), "--seeds", "1", "--generations", "100000", "--out", place.runs()},
+            console);
+        silent.flush();
+        _exit(code);
+    }
+    // Wait until the run has begun.
+    const fs::path folder = fs::path(place.runs()) / "small" / "seed-001";
+    for (int i = 0; i < 500 && !fs::exists(folder); ++i) usleep(10000);
+    usleep(200000);
+    kill(child, SIGTERM);
+    int status = 0;
+    waitpid(child, &status, 0);
+    BOOST_TEST(WIFEXITED(status));
+    BOOST_TEST(WEXITSTATUS(status) == 75);
+    BOOST_TEST(test::contains(content(place.path / "said"), "the same command goes on"));
+    BOOST_TEST(!fs::exists(folder / "manifest.csv"));
+}
+
+BOOST_AUTO_TEST_CASE(an_output_that_cannot_be_written_is_an_error) {
+    std::ofstream full("/dev/full");
+    std::ostringstream err;
+    Console console{full, err, false, test::experiments_folder()};
+    BOOST_TEST(run_program({"parameters"}, console) == 74);
+    BOOST_TEST(test::contains(err.str(), "the standard output cannot be written"));
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "scripting/hooks.h"
+
+#include "support/scripts.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace planula;
+
+namespace {
+
+// The paper's experiment with one function of its own; `before` stands above the statement.
+std::shared_ptr<Sources> with(const std::string &function, const std::string &before = "") {
+    return test::script("local paper = require 'paper'\n" + before +
+                        "\nreturn paper.experiment { name = 'x',\n" + function + "\n}");
+}
+
+Life life_at(double x) {
+    Life life;
+    life.outcome = Outcome::viable;
+    life.cells = 10;
+    life.end = {x, 0};
+    life.path = {{0, 0}, {x / 2, 1}, {x, 0}};
+    return life;
+}
+
+double fitness_of(const std::string &expression) {
+    Hooks hooks(with("fitness = function(life, parameters, penalty) return " + expression + " end"), 0, {});
+    const double fitness = hooks.judge(life_at(8)).fitness;
+    BOOST_TEST(hooks.invalid() == 0, hooks.first_problem());
+    return fitness;
+}
+
+std::string trial(const std::string &function, const std::string &before = "") {
+    return test::refusal([&] { Hooks(with(function, before), 0, {}).try_out(); });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
+    BOOST_TEST(fitness_of("life.displacement") == 8);
+    BOOST_TEST(fitness_of("life.finish.x - life.rest.x + life.finish.y + life.cells") == 18);
+    BOOST_TEST(fitness_of("#life.path * 100 + life.path[2].x * 10 + life.path[2].y") == 341);
+    BOOST_TEST(
+        fitness_of("life.path[4] == nil and life.path[0] == nil and life.path[1.5] == nil and 1 or 0") == 1);
+    BOOST_TEST(
+        fitness_of(
+            "(function() local n = 0 for i, p in ipairs(life.path) do n = n + i * p.x end return n end)()") ==
+        2 * 4 + 3 * 8);
+    BOOST_TEST(fitness_of("life.outcome == 'viable' and 1 or 0") == 1);
+    BOOST_TEST(fitness_of("life.births + life.largest + life.links + life.triangles + life.elongation + "
+                          "life.settle_steps + life.activity") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_hook_sees_the_parameters_of_its_setting) {
+    BOOST_TEST(fitness_of("parameters.cell_limit") == 256);
+    BOOST_TEST(fitness_of("penalty") == 1);
+    Parameters parameters;
+    set_parameter(parameters, "cell_limit", 99);
+    Hooks hooks(with("fitness = function(life, parameters) return parameters.cell_limit end"), 0, parameters);
+    BOOST_TEST(hooks.judge(life_at(1)).fitness == 99);
+}
+
+BOOST_AUTO_TEST_CASE(a_misspelt_field_is_found_before_the_start) {
+    const std::string message = trial("fitness = function(life) return life.displacment end");
+    BOOST_TEST(test::contains(message, "test.lua:4: life has no 'displacment'; did you mean 'displacement'?"),
+               message);
+    BOOST_TEST(test::contains(trial("fitness = function(life, parameters) return parameters.cell_limits end"),
+                              "test.lua:4: parameters has no 'cell_limits'; did you mean 'cell_limit'?"));
+    BOOST_TEST(test::contains(trial("behaviour = function(life) return { life.finish.z } end"),
+                              "test.lua:4: a point has no 'z'"));
+    BOOST_TEST(test::contains(trial("fitness = function(life) return life.finish.x.y end"), "test.lua:4: "));
+}
+
+BOOST_AUTO_TEST_CASE(a_value_of_another_kind_is_found_before_the_start) {
+    BOOST_TEST(
+        test::contains(trial("fitness = function() end"), "test.lua:4: fitness returned nil, not a number"));
+    BOOST_TEST(test::contains(trial("penalty = function() return 'x' end"),
+                              "penalty returned string, not a number"));
+    BOOST_TEST(test::contains(trial("behaviour = function() return 5 end"), "behaviour returned number"));
+    BOOST_TEST(test::contains(trial("behaviour = function() return {} end"), "a list of 1 … 16 numbers"));
+    BOOST_TEST(
+        test::contains(trial("behaviour = function() return { 'x' } end"), "behaviour returned string"));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_hook_cannot_judge_is_invalid_counted_and_kept) {
+    for (const char *expression :
+         {"0/0", "1/0", "-1", "nil", "'ten'", "life.nothing", "error('no')", "error({})"}) {
+        Hooks hooks(with("fitness = function(life) return life.finish.x > 5 and (" + std::string(expression) +
+                         ") or 1 end"),
+                    0, {});
+        const Evaluation good = hooks.judge(life_at(1)), bad = hooks.judge(life_at(8));
+        if (std::string(expression) == "nil") continue; // nil or 1 is 1
+        BOOST_TEST(good.fitness == 1, expression);
+        BOOST_TEST(bad.penalty == 0, expression);
+        BOOST_TEST(bad.fitness == 0, expression);
+        BOOST_TEST(bad.behaviour.empty(), expression);
+        BOOST_TEST(hooks.invalid() == 1, expression);
+        BOOST_TEST(test::contains(hooks.first_problem(), "test.lua:4: "), hooks.first_problem());
+        hooks.judge(life_at(9));
+        BOOST_TEST(hooks.invalid() == 2, expression);
+        hooks.begin_run();
+        BOOST_TEST(hooks.invalid() == 0, expression);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_penalty_outside_0_to_1_is_invalid) {
+    for (const char *penalty : {"2", "-0.5", "0/0"}) {
+        Hooks hooks(with("penalty = function() return " + std::string(penalty) + " end"), 0, {});
+        BOOST_TEST(!hooks.judge(life_at(1)).valid(), penalty);
+        BOOST_TEST(hooks.invalid() == 1, penalty);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(descriptors_of_a_run_have_one_length) {
+    Hooks hooks(
+        with("behaviour = function(life) if life.finish.x > 5 then return { 1, 2, 3 } end return { 1 } end"),
+        0, {});
+    BOOST_TEST(hooks.judge(life_at(1)).valid());
+    BOOST_TEST(hooks.judge(life_at(2)).valid());
+    BOOST_TEST(!hooks.judge(life_at(8)).valid());
+}
+
+BOOST_AUTO_TEST_CASE(a_hook_that_remembers_is_found) {
+    const char *counter = "fitness = function() n = n + 1 return n end";
+    BOOST_TEST(test::contains(trial(counter, "local n = 0"), "test.lua:4: fitness remembers earlier calls"));
+    BOOST_TEST(
+        test::contains(trial("behaviour = function(life) t[#t + 1] = 1 return { #t } end", "local t = {}"),
+                       "behaviour remembers earlier calls"));
+    // One that starts to remember only after the trial is found during the run.
+    Hooks late(
+        with("fitness = function(life) if life.finish.x == 7 then n = n + 1 end return n end", "local n = 1"),
+        0, {});
+    BOOST_CHECK_NO_THROW(late.try_out());
+    BOOST_CHECK_THROW(for (int i = 0; i < 100; ++i) late.judge(life_at(7)), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_gone_after_its_judgement) {
+    BOOST_TEST(
+        test::contains(trial("fitness = function(life) life.cells = 5 return 1 end"), "a life is read-only"));
+    BOOST_TEST(test::contains(trial("fitness = function(life) life.finish.x = 5 return 1 end"),
+                              "a life is read-only"));
+    BOOST_TEST(test::contains(trial("fitness = function(_, parameters) parameters.seeds = 5 return 1 end"),
+                              "parameters.seeds cannot be changed"));
+    BOOST_TEST(test::contains(trial("fitness = function() total = 5 return 1 end"), "'total' is not local"));
+    Hooks keeper(with("fitness = function(life) if kept then return kept.cells end kept = life return 1 end",
+                      "local kept"),
+                 0, {});
+    BOOST_TEST(keeper.judge(life_at(1)).fitness == 1);
+}
+
+BOOST_AUTO_TEST_CASE(an_endless_hook_makes_the_individual_invalid) {
+    Hooks hooks(with("fitness = function(life) while life.finish.x > 5 do end return 1 end"), 0, {});
+    BOOST_TEST(hooks.judge(life_at(1)).fitness == 1);
+    BOOST_TEST(!hooks.judge(life_at(8)).valid());
+    BOOST_TEST(test::contains(hooks.first_problem(), "works too long"));
+    BOOST_TEST(hooks.judge(life_at(2)).fitness == 1);
+}

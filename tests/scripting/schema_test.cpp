@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "scripting/schema.h"
+
+#include "scripting/schema_environment.h"
+#include "support/scripts.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace planula;
+
+namespace {
+
+Experiment experiment(const std::string &text, const Overrides &overrides = {}) {
+    return load_experiment(test::script("local paper = require 'paper'\n" + text), overrides);
+}
+
+std::string refused(const std::string &text) {
+    return test::refusal([&] { experiment(text); });
+}
+
+// A one-setting experiment; `body` starts on line 3.
+std::string refused_body(const std::string &body) {
+    return refused("return paper.experiment { name = 'x',\n" + body + "\n}");
+}
+
+World environment_of(const std::string &table) {
+    const Experiment e = experiment("return paper.experiment { name = 'x', environment = " + table + " }");
+    return {e.settings[0].environment, e.settings[0].actuation_range};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_statement_is_completed_by_the_paper) {
+    const Experiment e =
+        experiment("return paper.experiment { name = 'honey', environment = paper.aquatic { drag = { "
+                   "normal = 8, tangential = 4 } } }");
+    BOOST_REQUIRE_EQUAL(e.settings.size(), 1u);
+    const Spec &spec = e.settings[0];
+    BOOST_TEST(spec.name == "honey");
+    BOOST_TEST((spec.actuation == Actuation::oscillator));
+    BOOST_TEST(spec.search == "neat");
+    BOOST_TEST(spec.environment.drag_normal == 8);
+    BOOST_TEST(spec.environment.drag_tangential == 4);
+    BOOST_TEST(!spec.environment.has_ground);
+    BOOST_TEST(spec.actuation_range == Parameters{}.actuation_range_aquatic);
+    BOOST_TEST(spec.parameters.population == Parameters{}.population);
+}
+
+BOOST_AUTO_TEST_CASE(a_change_of_one_drag_keeps_the_other) {
+    const World world = environment_of("paper.aquatic { drag = { normal = 3 } }");
+    BOOST_TEST(world.environment.drag_normal == 3);
+    BOOST_TEST(world.environment.drag_tangential == Parameters{}.drag_tangential);
+}
+
+BOOST_AUTO_TEST_CASE(a_changed_parameter_changes_the_world_that_names_it) {
+    const char *text = "return paper.experiment { name = 'x', environment = paper.terrestrial(), parameters "
+                       "= { gravity = 2 } }";
+    BOOST_TEST(experiment(text).settings[0].environment.gravity == 2);
+    BOOST_TEST(experiment(text, {{"gravity", 3}}).settings[0].environment.gravity == 3);
+    BOOST_TEST(experiment(text).settings[0].environment.friction == Parameters{}.friction);
+}
+
+BOOST_AUTO_TEST_CASE(grounds_are_flat_none_points_or_a_function) {
+    BOOST_TEST(environment_of("paper.terrestrial()").environment.has_ground);
+    BOOST_TEST(environment_of("paper.terrestrial()").environment.ground.empty());
+    BOOST_TEST(!environment_of("paper.terrestrial { ground = 'none', gravity = 0 }").environment.has_ground);
+    const auto points =
+        environment_of("paper.terrestrial { ground = { { -1, 2 }, { 1, 3 } } }").environment.ground;
+    BOOST_REQUIRE_EQUAL(points.size(), 2u);
+    BOOST_TEST((points[1] == Vec2d{1, 3}));
+    const auto sampled =
+        environment_of("paper.terrestrial { ground = { height = function(x) return x * x end, "
+                       "from = -1, to = 1, step = 0.5 } }")
+            .environment.ground;
+    BOOST_REQUIRE_EQUAL(sampled.size(), 5u);
+    BOOST_TEST((sampled[0] == Vec2d{-1, 1}));
+    BOOST_TEST((sampled[3] == Vec2d{0.5, 0.25}));
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
+    const auto ground = [](const std::string &value) {
+        return refused_body("environment = paper.terrestrial {\nground = " + value + " }");
+    };
+    BOOST_TEST(test::contains(ground("'hilly'"), "test.lua:4: environment.ground must be \"flat\""));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 1 } }"), "test.lua:4: a point of the ground is {x, y}"));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 } }"), "two points or more"));
+    BOOST_TEST(test::contains(ground("{ { 1, 0 }, { 0, 0 } }"), "ascend"));
+    BOOST_TEST(test::contains(ground("{ height = function(x) return nil end, from = 0, to = 1, step = 1 }"),
+                              "environment.ground.height(0) must return a finite number"));
+    BOOST_TEST(test::contains(ground("{ height = function(x) return y.z end, from = 0, to = 1, step = 1 }"),
+                              "test.lua:4: nothing is called 'y'"));
+    BOOST_TEST(test::contains(ground("{ height = function(x) return x end, from = 0, to = 1, step = 0 }"),
+                              "from, to and step"));
+    BOOST_TEST(
+        test::contains(ground("{ height = function(x) return x end, from = 0, to = 1 }"), "step is missing"));
+}
+
+BOOST_AUTO_TEST_CASE(unknown_keys_tell_line_owner_and_nearest_name) {
+    BOOST_TEST(test::contains(
+        refused_body("serach = 'neat'"),
+        "test.lua:3: the experiment has no 'serach'; did you mean 'search'? (allowed: name, "));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic {\n drag = {\n  nromal = 8 } }"),
+                              "test.lua:5: environment.drag has no 'nromal'; did you mean 'normal'?"));
+    BOOST_TEST(test::contains(
+        refused_body("parameters = {\n spring_stifness = 5 }"),
+        "test.lua:4: no parameter is called 'spring_stifness'; did you mean 'spring_stiffness'?"));
+    BOOST_TEST(
+        test::contains(refused_body("search = 'novelti'"),
+                       "test.lua:3: search: 'novelti' is none of neat, novelty; did you mean 'novelty'?"));
+    BOOST_TEST(test::contains(refused_body("actuation = 'gnn'"), "did you mean 'grn'?"));
+    BOOST_TEST(test::contains(refused_body("5"), "test.lua:3: the experiment has a value without a name"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_told_with_the_rule) {
+    BOOST_TEST(test::contains(refused_body("title = 5"), "test.lua:3: title must be a text, not a number"));
+    BOOST_TEST(test::contains(refused_body("fitness = 'far'"),
+                              "test.lua:3: fitness must be a function, not a text"));
+    BOOST_TEST(test::contains(refused_body("parameters = { population = 1 }"),
+                              "test.lua:3: population = 1 is outside 2"));
+    BOOST_TEST(test::contains(refused_body("parameters = { seeds = 1.5 }"), "must be a whole number"));
+    BOOST_TEST(test::contains(refused_body("parameters = { seeds = 'x' }"),
+                              "parameters.seeds must be a number, not a text"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { gravity = 5 }"),
+                              "gravity without ground"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = -1 } }"),
+                              "0 or more, not -1"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { actuation_range = 2 }"), "not 2"));
+    BOOST_TEST(
+        test::contains(refused_body("environment = paper.aquatic { actuation_range = 0/0 }"), "finite"));
+    BOOST_TEST(
+        test::contains(refused_body("parameters = { period_shortest = 500 }"), "period_shortest is at most"));
+    BOOST_TEST(test::contains(refused("return paper.experiment { name = '../x' }"), "'../x'"));
+    BOOST_TEST(test::contains(refused("return planula.experiment { name = 'x' }"), "environment is missing"));
+}
+
+BOOST_AUTO_TEST_CASE(all_errors_are_reported_together) {
+    const std::string message =
+        refused_body("serach = 'neat',\nparameters = { sedes = 1,\npopulation = 0 },\ntitel = 'x'");
+    for (const char *part : {"test.lua:3: ", "test.lua:4: ", "test.lua:5: ", "test.lua:6: "})
+        BOOST_TEST(test::contains(message, part), message);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_told_on_its_line_once) {
+    const std::string message = refused("local water = paper.aquatic {\n" // 2
+                                        "  drga = { normal = 1 } }\n"     // 3
+                                        "return paper.design { name = 'x', settings = {\n"
+                                        "  { name = 'a', environment = water },\n"
+                                        "  { name = 'b', environment = water, search = 'neat' },\n"
+                                        "  { name = 'c', search = 'naet' },\n" // 7
+                                        "  { name = 'c' },\n"                  // 8
+                                        "} }");
+    BOOST_TEST(message.find("drga") == message.rfind("drga"), message);
+    BOOST_TEST(test::contains(message, "test.lua:7: settings[3].search: 'naet' is none of"), message);
+    BOOST_TEST(test::contains(message, "test.lua:8: two settings are called 'c'"), message);
+    BOOST_TEST(test::contains(message, "test.lua:3: environment has no 'drga'; did you mean 'drag'?"),
+               message);
+}
+
+BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_depart) {
+    const Experiment e =
+        experiment("return paper.design { name = 'x', parameters = { seeds = 3, population = 10 },\n"
+                   "settings = { { name = 'a' }, { name = 'b', parameters = { population = 12 } } } }",
+                   {{"generations", 7}});
+    BOOST_TEST(e.settings[0].parameters.population == 10);
+    BOOST_TEST(e.settings[1].parameters.population == 12);
+    BOOST_TEST(e.settings[1].parameters.seeds == 3);
+    BOOST_TEST(e.settings[1].parameters.generations == 7);
+    BOOST_TEST(e.analysis.design.generations == Parameters{}.generations);
+}
+
+BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {
+    const auto claims = [](const std::string &claim) {
+        return refused(
+            "return paper.design { name = 'x', settings = { { name = 'a' }, { name = 'b' } },\n"
+            "statistics = { confidence = 0.95, resamples = 100, significance = 0.05, sample_share = 0.01,\n"
+            "claims = {\n" +
+            claim + "\n} } }");
+    };
+    const std::string good =
+        "id = 'S1', statement = 's', section = '1', paper = 'p', test = 'best_at_generation', ";
+    BOOST_TEST(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater' }") == "");
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'bb', expect = 'greater' }"),
+                              "test.lua:5: claim 'S1'"),
+               claims("{ " + good + "a = 'a', b = 'bb', expect = 'greater' }"));
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expect = 'bigger' }"),
+                              "test.lua:5: claim 'S1'"));
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expects = 'greater' }"),
+                              "did you mean 'expect'?"));
+    BOOST_TEST(test::contains(claims("{ id = 'S1' }"), "statement is missing"));
+    BOOST_TEST(test::contains(refused_body("statistics = 'paper.statistic'"),
+                              "test.lua:3: no module 'paper.statistic'"));
+}
+
+BOOST_AUTO_TEST_CASE(every_experiment_file_passes_its_check) {
+    for (const auto &file : test::experiment_files()) {
+        Experiment e;
+        BOOST_TEST(test::refusal([&] { e = load_experiment(file, test::experiments_folder()); }) == "",
+                   file.string());
+        BOOST_TEST(!e.settings.empty(), file.string());
+        BOOST_TEST(!e.title.empty(), file.string());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_replication_states_the_papers_eight_settings) {
+    const Experiment e =
+        load_experiment(test::experiments_folder() / "paper" / "replication.lua", test::experiments_folder());
+    BOOST_REQUIRE_EQUAL(e.settings.size(), 8u);
+    for (const Spec &spec : e.settings) {
+        const bool osc = spec.name.starts_with("osc"), water = test::contains(spec.name, "-aq-");
+        const bool novelty = spec.name.ends_with("-ns");
+        BOOST_TEST((spec.actuation == (osc ? Actuation::oscillator : Actuation::grn)), spec.name);
+        BOOST_TEST(spec.search == (novelty ? "novelty" : "neat"), spec.name);
+        BOOST_TEST(spec.environment.has_ground == !water, spec.name);
+        BOOST_TEST(spec.environment.has_fluid() == water, spec.name);
+        BOOST_TEST(spec.environment.gravity == (water ? 0 : Parameters{}.gravity), spec.name);
+        BOOST_TEST(spec.actuation_range == (water ? 0.4 : 0.3), spec.name);
+        for (const ParameterRow &row : parameter_rows())
+            BOOST_TEST(parameter(spec.parameters, row.name) == row.standard, row.name);
+    }
+    // S1 to S13, each with at least one test.
+    for (int i = 1; i <= 13; ++i) {
+        bool found = false;
+        for (const Claim &claim : e.analysis.claims)
+            found = found || std::string_view(claim.id).substr(0, claim.id.find_first_of("abcdefgh")) ==
+                                 "S" + std::to_string(i);
+        BOOST_TEST(found, "S" << i);
+    }
+}
