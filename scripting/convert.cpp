@@ -70,15 +70,15 @@ class Converter {
             } else if (lua_type(L_, -2) == LUA_TSTRING) {
                 std::size_t size = 0;
                 const char *text = lua_tolstring(L_, -2, &size);
-                result.fields.emplace_back(std::string(text, size), value(depth + 1));
+                result.fields.push_back({std::string(text, size), value(depth + 1)});
             } else {
                 fail(std::string("a key of type ") + luaL_typename(L_, -2) + " cannot be part of a result");
             }
         }
         // Lua walks a table in no particular order: sort.
-        const auto by_key = [](const auto &a, const auto &b) { return a.first < b.first; };
-        std::sort(result.fields.begin(), result.fields.end(), by_key);
-        std::sort(list.begin(), list.end(), by_key);
+        std::sort(result.fields.begin(), result.fields.end(),
+                  [](const auto &a, const auto &b) { return a.name < b.name; });
+        std::sort(list.begin(), list.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
         for (std::size_t i = 0; i < list.size(); ++i) {
             if (list[i].first != static_cast<double>(i + 1)) fail("a list has a hole or an odd index");
             result.list.push_back(std::move(list[i].second));

@@ -16,6 +16,7 @@ namespace planula {
 namespace {
 
 constexpr std::size_t longest_behaviour = 16;
+constexpr double largest = 1e100; // fitness and behaviour beyond this would overflow sums and squares
 // Every call is judged twice whose number is a power of two, or a multiple of this one.
 constexpr std::int64_t calls_between_samples = 1024;
 constexpr Limits limits_of_a_call{
@@ -155,7 +156,7 @@ class Hooks::Functions {
         lua_pop(L, 1);
         if (type != LUA_TNUMBER)
             fail_kind(name, "a number", type, verdict);
-        else if (!std::isfinite(result))
+        else if (!(std::abs(result) <= largest))
             fail(name, "returned " + to_text(result), verdict);
         else if (result < 0)
             fail(name, "returned a number below 0", verdict);
@@ -178,7 +179,7 @@ class Hooks::Functions {
             result.push_back(lua_tonumber(L, -1));
             if (lua_type(L, -1) != LUA_TNUMBER)
                 fail_kind("behaviour", "numbers", lua_type(L, -1), verdict);
-            else if (!std::isfinite(result.back()))
+            else if (!(std::abs(result.back()) <= largest))
                 fail("behaviour", "returned " + to_text(result.back()), verdict);
             lua_pop(L, 1);
         }

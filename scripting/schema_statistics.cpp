@@ -7,8 +7,9 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view statistics_keys[] = {
-    "confidence", "resamples", "significance", "sample_share", "fitness_classes", "endpoints", "claims"};
+constexpr std::string_view statistics_keys[] = {"confidence",   "resamples",    "significance",
+                                                "sample_share", "sample_least", "fitness_classes",
+                                                "endpoints",    "claims"};
 constexpr std::string_view claim_keys[] = {"id", "statement",  "section", "paper", "test", "a",
                                            "b",  "generation", "expect",  "level", "count"};
 
@@ -83,6 +84,7 @@ Analysis read_statistics(const Value &table, const Place &place, const std::stri
     analysis.resamples = static_cast<int>(reader.quantity("resamples", design, true).value_or(0));
     analysis.significance = reader.number("significance", true).value_or(0);
     analysis.sample_share = reader.number("sample_share", true).value_or(0);
+    if (table.find("sample_least")) analysis.sample_least = reader.whole("sample_least");
     if (table.find("fitness_classes")) analysis.fitness_classes = reader.whole("fitness_classes");
     analysis.endpoint_settings = read_endpoints(reader, settings, problems);
 

@@ -44,8 +44,7 @@ class Scanner {
     }
 
     void skip_long(std::size_t level) {
-        std::string close(level + 2, '=');
-        close.front() = close.back() = ']';
+        const std::string close = ']' + std::string(level, '=') + ']';
         const std::size_t end = source_.find(close, place_);
         advance((end == std::string_view::npos ? source_.size() : end + close.size()) - place_);
     }

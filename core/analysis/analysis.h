@@ -34,6 +34,7 @@ struct Analysis {
     std::vector<Claim> claims;
     std::vector<std::string> endpoint_settings; // settings whose explored end points are tabled
     double sample_share = 0;                    // of the individuals that enter the table of end points
+    int sample_least = 0;                       // of a smaller run a larger share, so many on average
     double confidence = 0;                      // of all bootstrap intervals
     int resamples = 0;
     double significance = 0; // p-values below this decide

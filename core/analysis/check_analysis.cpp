@@ -63,6 +63,9 @@ void check_analysis(const Analysis &analysis, std::span<const Spec> settings) {
     if (analysis.confidence == 1) throw InputError("statistics: confidence = 1 must be below 1");
     if (analysis.resamples < 1)
         throw InputError("statistics: resamples = " + to_text(analysis.resamples) + " must be at least 1");
+    if (analysis.sample_least < 0)
+        throw InputError("statistics: sample_least = " + to_text(analysis.sample_least) +
+                         " must be at least 0");
     if (analysis.fitness_classes < 1)
         throw InputError("statistics: fitness_classes = " + to_text(analysis.fitness_classes) +
                          " must be at least 1");

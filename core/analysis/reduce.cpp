@@ -88,7 +88,7 @@ void write_exploration(const Analysis &analysis, std::span<const SettingRuns *co
                        const std::filesystem::path &out) {
     write_each<EndpointRow>(out, chosen, [&](const SettingRuns &s) {
         return for_representatives<EndpointRow>(
-            s, [&](const Representative &r) { return endpoint_rows(s, r, analysis.sample_share); });
+            s, [&](const Representative &r) { return endpoint_rows(s, r, sampled_share(s, analysis)); });
     });
     write_each<EndpointPathRow>(out, chosen, [&](const SettingRuns &s) {
         return for_representatives<EndpointPathRow>(

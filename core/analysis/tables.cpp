@@ -173,6 +173,11 @@ std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Represe
     return rows;
 }
 
+double sampled_share(const SettingRuns &setting, const Analysis &analysis) {
+    const double individuals = static_cast<double>(setting.generations) * setting.spec->parameters.population;
+    return std::min(1.0, std::max(analysis.sample_share, analysis.sample_least / individuals));
+}
+
 std::vector<ArchivePointRow> archive_point_rows(const SettingRuns &setting) {
     const RecordedRun &run = setting.runs[ranking(setting).front()];
     std::vector<ArchivePointRow> rows;

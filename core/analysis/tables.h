@@ -34,6 +34,9 @@ std::vector<EndpointPathRow> endpoint_path_rows(const SettingRuns &setting, cons
 std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Representative &chosen,
                                        double share);
 
+/// sample_share, or as much more as a run of this setting needs for sample_least individuals; at most 1.
+double sampled_share(const SettingRuns &setting, const Analysis &analysis);
+
 /// The archive of the best run; none for a search without one. Reads the run's archive.
 std::vector<ArchivePointRow> archive_point_rows(const SettingRuns &setting);
 

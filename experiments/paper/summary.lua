@@ -5,5 +5,6 @@ return {
   resamples = "bootstrap_resamples",
   significance = 0.05,              -- a p-value below this tells two groups apart (§3.2)
   sample_share = 0.01,              -- of all individuals of a run, drawn for Fig. 8 (§3.4)
+  sample_least = 1000,              -- of a run too small for that, so many
   fitness_classes = 20,             -- bars of the distribution in Fig. 11
 }

@@ -170,11 +170,11 @@ BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_d
 
 BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {
     const auto claims = [](const std::string &claim) {
-        return refused(
-            "return paper.design { name = 'x', settings = { { name = 'a' }, { name = 'b' } },\n"
-            "statistics = { confidence = 0.95, resamples = 100, significance = 0.05, sample_share = 0.01,\n"
-            "claims = {\n" +
-            claim + "\n} } }");
+        return refused("return paper.design { name = 'x', settings = { { name = 'a' }, { name = 'b' } },\n"
+                       "statistics = { confidence = 0.95, resamples = 100, significance = 0.05, sample_share "
+                       "= 0.01, sample_least = 10,\n"
+                       "claims = {\n" +
+                       claim + "\n} } }");
     };
     const std::string good =
         "id = 'S1', statement = 's', section = '1', paper = 'p', test = 'best_at_generation', ";

@@ -54,6 +54,8 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_with_rule_and_value) {
                "statistics: confidence = 1 must be below 1");
     BOOST_TEST(refusal([](Analysis &a) { a.resamples = 0; }) ==
                "statistics: resamples = 0 must be at least 1");
+    BOOST_TEST(refusal([](Analysis &a) { a.sample_least = -1; }) ==
+               "statistics: sample_least = -1 must be at least 0");
     BOOST_TEST(refusal([](Analysis &a) { a.fitness_classes = 0; }) ==
                "statistics: fitness_classes = 0 must be at least 1");
     BOOST_TEST(refusal([](Analysis &a) { a.claims[0].generation = -1; }) ==

@@ -170,3 +170,21 @@ BOOST_AUTO_TEST_CASE(a_settings_world_is_told_by_its_ground) {
     BOOST_TEST(setting_row(setting).actuation == "oscillator");
     BOOST_TEST(setting_row(setting).runs == 2);
 }
+
+BOOST_AUTO_TEST_CASE(a_small_run_gives_a_larger_share_of_its_end_points) {
+    Spec spec;
+    spec.parameters.population = 40;
+    SettingRuns setting;
+    setting.spec = &spec;
+    setting.generations = 10;
+    Analysis analysis = fake_analysis();
+    analysis.sample_share = 0.01;
+    analysis.sample_least = 100;
+    BOOST_TEST(sampled_share(setting, analysis) == 0.25);
+    analysis.sample_least = 1000;
+    BOOST_TEST(sampled_share(setting, analysis) == 1);
+    setting.generations = 2000;
+    BOOST_TEST(sampled_share(setting, analysis) == 0.0125);
+    setting.generations = 20000;
+    BOOST_TEST(sampled_share(setting, analysis) == 0.01);
+}

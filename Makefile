@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: MIT
+# Everything that planula does, as targets: `make help` lists them. Each target brings what it needs itself, down to the
+# system packages of a bare Debian 12; a second call with nothing to do takes seconds.
+
+# ---- What the caller may set -----------------------------------------------------------------------------------------
+SEEDS ?= 1:3
+POPULATION ?= 40
+GENERATIONS ?= 12
+JOBS ?= $(shell nproc)
+# The experiment that the paper reports, and where its intermediate results lie.
+EXPERIMENT ?= experiments/paper/replication.lua
+OUT ?= build
+# The tables behind the paper: the tracked ones if there are any, else those that `evolve` and `data` make.
+DATA ?= $(if $(wildcard data/manifest.csv),data,$(OUT)/data)
+# The setting that the README shows.
+PORTRAIT ?= osc-aq-ns
+
+# ---- Places ----------------------------------------------------------------------------------------------------------
+PLANULA = build/planula
+# Runs of another size have a folder of their own, so that no finished run is ever replaced by a shorter one.
+RUNS = $(OUT)/runs/$(notdir $(basename $(EXPERIMENT)))-$(POPULATION)x$(GENERATIONS)
+FRAMES = $(OUT)/frames
+FIGURES = $(OUT)/figures
+DESIGN = --seeds $(SEEDS) --generations $(GENERATIONS) --population $(POPULATION)
+SCRIPTS = $(wildcard experiments/*.lua experiments/paper/*.lua)
+
+# One locale, one clock (the day on which the original appeared) and one time zone for every tool, so that the same data
+# give the same bytes.
+export LC_ALL := C.UTF-8
+export TZ := UTC
+export SOURCE_DATE_EPOCH := 1450310400
+export FORCE_SOURCE_DATE := 1
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.DEFAULT_GOAL := help
+MAKEFLAGS += --no-print-directory --silent
+
+##@ Start here
+help: ## list the targets
+	@awk 'BEGIN { FS = ":.*## " } \
+	  /^##@ / { printf "\n%s\n", substr($$0, 5) } \
+	  /^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 }' Makefile
+	@echo
+	@echo 'Set on the command line: SEEDS=1:20 GENERATIONS=2000 POPULATION=300 (now $(SEEDS) $(GENERATIONS) $(POPULATION)), JOBS, DATA, OUT.'
+
+paper: deps-paper program ## every table and figure, and the article: build/paper.pdf
+	@if [ '$(DATA)' = '$(OUT)/data' ]; then $(MAKE) evolve data; fi
+	@$(MAKE) $(OUT)/paper.pdf
+	@echo 'paper: $(OUT)/paper.pdf'
+
+test: deps build ## build everything and run all tests
+	@echo 'test: running …'
+	@ctest --test-dir build -j $(JOBS) --output-on-failure --no-tests=error > build/test.log 2>&1 || true
+	@awk -f tests/support/summary.awk build/test.log
+
+smoke: ## the whole way from evolution to article on a tiny design, in build/smoke
+	@$(MAKE) OUT=build/smoke DATA=build/smoke/data SEEDS=1:2 POPULATION=16 GENERATIONS=3 paper
+	@echo 'smoke: PASS'
+
+##@ Steps of the paper
+evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; interrupt and go on at will
+	@$(PLANULA) run $(EXPERIMENT) $(DESIGN) --out $(RUNS)
+
+data: program ## reduce the runs to the tables in build/data
+	@$(MAKE) $(OUT)/data/manifest.csv
+
+frames: program ## live the best individual of each setting again and write its frames
+	@$(MAKE) $(FRAMES)/frames.csv
+
+figures: deps-paper program ## draw every figure from the tables
+	@$(MAKE) figure-files
+	@echo 'figures: $(FIGURES)'
+
+picture: deps-paper program ## draw the animat of the README, paper/animat.png
+	@$(MAKE) paper/animat.png
+
+keep-data: ## copy build/data to data/, the tracked tables that `make paper` prefers
+	@cp $(OUT)/data/*.csv data/
+	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables copied from $(OUT)/data; commit them with the design that made them'
+
+##@ Building and checking
+build: deps build/CMakeCache.txt ## the program and all tests
+	@cmake --build build --parallel $(JOBS) > build/build.log 2>&1 || { cat build/build.log; exit 1; }
+
+program: deps build/CMakeCache.txt ## the program alone: build/planula
+	@echo 'program: building …'
+	@cmake --build build --parallel $(JOBS) --target planula > build/program.log 2>&1 || { cat build/program.log; exit 1; }
+
+signature: program ## one hash over all eight settings must be the one in tests/golden
+	@bash tests/torture/signature.sh $(PLANULA)
+
+verify-signature: deps ## the same, with a second compiler or optimisation level
+	@bash tests/torture/signature.sh --alternative
+
+torture: deps ## the same, over compilers, optimisation levels, threads and a processor without AVX2 and FMA
+	@bash tests/torture/signature.sh --all
+
+lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
+	@failed=0; for check in layering sources format lint_test; do \
+	  bash tests/lint/$$check.sh || failed=$$((failed + 1)); done; \
+	  echo "lint: $$((4 - failed)) passed, $$failed failed"; ((failed == 0))
+
+format: ## clang-format every C++ source in place
+	@find core scripting tests -name '*.h' -o -name '*.cpp' | xargs -d '\n' clang-format -i
+
+clean: ## remove build/, runs included
+	@rm -rf build
+
+##@ System packages (Debian 12; done by the others when needed)
+BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev
+PAPER_PACKAGES = gnuplot-nox texlive-latex-base texlive-latex-recommended texlive-luatex lmodern
+
+deps: ## packages to build and test
+	@bash tests/support/packages.sh $(BUILD_PACKAGES)
+
+deps-paper: ## packages to build and to make the paper
+	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
+
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data build program signature \
+        verify-signature torture lint format clean deps deps-paper always
+
+# ---- Files -----------------------------------------------------------------------------------------------------------
+build/CMakeCache.txt:
+	@mkdir -p build
+	@cmake -S . -B build > build/configure.log 2>&1 || { cat build/configure.log; rm -f $@; exit 1; }
+
+# $(call replace_if_changed,NEW,OLD): moves every file of folder NEW to OLD whose content differs, so that what depends on
+# an unchanged table is not made again.
+replace_if_changed = mkdir -p $(2); for file in $(1)/*; do \
+  cmp -s "$$file" "$(2)/$${file\#\#*/}" || mv "$$file" "$(2)/$${file\#\#*/}"; done; rm -rf $(1)
+
+# The design that the tables in build/data show.
+$(OUT)/design: always
+	@mkdir -p $(OUT)
+	@echo '$(EXPERIMENT) $(DESIGN)' | cmp -s - $@ || echo '$(EXPERIMENT) $(DESIGN)' > $@
+
+TABLES = manifest settings runs curves endpoints endpoint_paths archives fitness_shares entropy outcomes claims best_genomes columns parameters
+$(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manifest.csv)
+	@echo 'data: reducing …'
+	@rm -rf $(OUT)/data.new
+	@$(PLANULA) reduce $(EXPERIMENT) $(DESIGN) --runs $(RUNS) --out $(OUT)/data.new > /dev/null
+	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
+	@touch $@
+$(TABLES:%=$(OUT)/data/%.csv) &: $(OUT)/reduced ;
+
+FRAME_TABLES = frames frame_cells frame_links morphologies
+$(OUT)/framed: $(PLANULA) $(SCRIPTS) $(DATA)/best_genomes.csv
+	@echo 'frames: living the best again …'
+	@rm -rf $(FRAMES).new
+	@$(PLANULA) frames $(EXPERIMENT) --data $(DATA) --out $(FRAMES).new > /dev/null
+	@$(call replace_if_changed,$(FRAMES).new,$(FRAMES))
+	@touch $@
+$(FRAME_TABLES:%=$(FRAMES)/%.csv) &: $(OUT)/framed ;
+
+# Figures. Cairo writes the date of the day; it is replaced by one of equal length.
+PORTRAITS = fig03_oscillator_morphologies fig05_grn_morphologies
+PLOTS = $(filter-out $(PORTRAITS),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
+FIGURE_FILES = $(PORTRAITS:%=$(FIGURES)/%.pdf) $(PLOTS:%=$(FIGURES)/%.pdf)
+STYLE = $(filter-out $(wildcard paper/figures/fig*.gp),$(wildcard paper/figures/*.gp))
+# gnuplot's warnings, as of a setting without data, stay in a log unless it fails.
+draw = gnuplot -e "$(1); out='$@.new'" $(2) 2> $@.log || { cat $@.log; exit 1; }; \
+  LC_ALL=C sed -i 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' $@.new; mv $@.new $@
+figure-files: $(FIGURE_FILES)
+
+$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv)
+	@mkdir -p $(FIGURES)
+	@$(call draw,data='$(DATA)',$<)
+
+$(PORTRAITS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(FIGURES)/%/page.gp
+	@$(call draw,layout='$(FIGURES)/$*',$<)
+
+paper/animat.png: $(FIGURES)/portrait/page.gp $(STYLE)
+	@gnuplot -e "layout='$(FIGURES)/portrait'; out='$@'" paper/figures/morphologies.gp 2> $(FIGURES)/portrait/log
+	@echo 'picture: $@'
+
+# The settings on each page of portraits, from top to bottom.
+settings_of = $(if $(findstring fig03,$(1)),osc-aq-neat osc-aq-ns osc-te-neat osc-te-ns,$(if \
+  $(findstring fig05,$(1)),grn-aq-neat grn-aq-ns grn-te-neat grn-te-ns,$(PORTRAIT)))
+$(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/page.gp: paper/figures/morphologies.lua \
+    paper/csv.lua $(FRAME_TABLES:%=$(FRAMES)/%.csv) $(DATA)/settings.csv
+	@mkdir -p $(FIGURES)/$*
+	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
+
+# The article: twice, for its references. The folder of the data is handed to TeX as two macros.
+PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
+$(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv
+	@echo 'paper: typesetting …'
+	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+# Figure 6 of the paper: performance with oscillators.
+actuation = 'osc'
+load 'paper/figures/performance.gp'

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+# Figure 7 of the paper: performance with the gene regulatory network.
+actuation = 'grn'
+load 'paper/figures/performance.gp'

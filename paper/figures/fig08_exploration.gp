@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+# Figure 8 of the paper: where the individuals of a run ended, in water with oscillators. A random share of all of them
+# (points, by generation) and the best of each generation (line), for the best and the median run of each search.
+height = 14.8
+load 'paper/figures/style.gp'
+
+# One square range around the origin for all four panels.
+reach = 1
+swimmer(value) = strstrt(stringcolumn('setting'), '-aq-') > 0 ? value : NaN
+do for [name in 'endpoint_paths endpoints'] {
+    stats table(name) using (swimmer(max(abs(column('x')), abs(column('y'))))) name 'END' nooutput
+    reach = max(reach, largest(reach))
+}
+reach = 1.05 * reach
+
+# Few points are drawn larger.
+dot = found(0) < 4000 ? 0.4 : 0.22
+
+last = manifest('generations') > 1 ? manifest('generations') - 1 : 1
+set cbrange [0:last]
+set cbtics 0, generation_tics(last)
+set size ratio -1
+set grid xtics ytics linewidth 0.5 linecolor rgb pale dashtype 1
+set xrange [-reach:reach]
+set yrange [-reach:reach]
+unset key
+
+set multiplot
+square = 0.395 # of the width
+do for [i = 0:3] {
+    search = word('neat ns', 1 + i / 2)
+    role = word('best median', 1 + i % 2)
+    setting = 'osc-aq-'.search
+    left = 0.075 + (i % 2) * (square + 0.03)
+    top = 0.97 - (i / 2) * (square * width / height + 0.05)
+    set lmargin at screen left
+    set rmargin at screen left + square
+    set tmargin at screen top
+    set bmargin at screen top - square * width / height
+    set label 1 panel_title(word('A B C D', i + 1), name_of(search).', '.role.' run') at graph 0,1.035 left textcolor rgb ink
+    set xlabel (i / 2 == 1 ? 'x (cell diameters)' : '') offset 0,0.9 textcolor rgb ink
+    set ylabel (i % 2 == 0 ? 'y (cell diameters)' : '') offset 1.2,0 textcolor rgb ink
+    if (i / 2 == 1) { set format x '%g' } else { set format x '' }
+    if (i % 2 == 0) { set format y '%g' } else { set format y '' }
+    if (i == 3) {
+        set colorbox user origin 0.915,0.2 size 0.016,0.6 noborder
+        set cblabel 'generation' offset 0.5,0 textcolor rgb ink
+    } else { unset colorbox }
+    of_run(value) = stringcolumn('role') eq role ? of(setting, value) : NaN
+    plot table('endpoints') using (of_run(column('x'))):(column('y')):(column('generation')) \
+             with points pointtype 7 pointsize dot linecolor palette, \
+         table('endpoint_paths') using (of_run(column('x'))):(column('y')) \
+             with lines linewidth 0.6 linecolor rgb 0x40000000, \
+         '+' using (0):(0) every ::0::0 with points pointtype 1 pointsize 0.6 linewidth 1.2 linecolor rgb 0xD55E00
+}
+unset multiplot

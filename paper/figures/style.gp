@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+# The look that every figure shares. Given by the caller: data (folder of tables), out (file to write), height (cm).
+# Colours are those of Okabe and Ito, which people with any kind of colour vision can tell apart.
+width = 16.0
+terminal(width, height) = sprintf("set terminal pdfcairo size %gcm,%gcm ", width, height) \
+                          ."font 'Latin Modern Roman,9' fontscale 0.75 linewidth 1 dashlength 0.6"
+eval terminal(width, height)
+set encoding utf8
+set output out
+
+neat = 0x0072B2
+ns = 0xD55E00
+ink = 0x333333
+pale = 0xDDDDDD
+colour(search) = search eq 'neat' ? neat : ns
+name_of(search) = search eq 'neat' ? 'NEAT' : 'novelty search'
+
+# Tables are comma separated with one header line; columns are addressed by name.
+set datafile separator comma
+set datafile columnheaders
+set datafile missing NaN
+table(name) = data.'/'.name.'.csv'
+
+# The value if the row belongs to the setting, else nothing.
+of(setting, value) = stringcolumn('setting') eq setting ? value : NaN
+# The text of a row of manifest.csv.
+manifest(key) = system("awk -F, -v key=".key." '$1 == key { print $2 }' '".data."/manifest.csv'")
+
+set border 3 linewidth 0.6 linecolor rgb ink
+set tics nomirror out scale 0.4 textcolor rgb ink
+set xtics offset 0,0.45
+set ytics offset 0.4,0
+set grid ytics linewidth 0.5 linecolor rgb pale dashtype 1
+set style fill solid noborder
+set key textcolor rgb ink spacing 1.2
+panel_title(letter, text) = '{/:Bold '.letter.'}   '.text
+
+# Colours of generations, light for the first to dark for the last.
+set palette defined (0 '#fde725', 0.25 '#5ec962', 0.5 '#21918c', 0.75 '#3b528b', 1 '#440154')
+
+# Distance of tics along generations: whole, and so that some five of them stand below an axis.
+decade(last) = 10.0 ** floor(log10(last))
+generation_tics(last) = last < 20 ? ceil(last / 5.0) : \
+                        (last / decade(last) < 2 ? 0.25 : last / decade(last) < 5 ? 0.5 : 1) * decade(last)
+
+max(a, b) = a > b ? a : b
+
+# What `stats … name 'END'` found; where a table has no fitting row it leaves its variables undefined.
+found(otherwise) = exists('END_records') ? END_records : otherwise
+largest(otherwise) = exists('END_max') ? END_max : otherwise
+# A point that nobody sees, for panels whose tables may have no fitting row; gnuplot draws no axes around nothing.
+unseen = "'+' using (0):(0) every ::0::0 with points pointsize 0 notitle"

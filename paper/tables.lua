@@ -1,0 +1,299 @@
+-- SPDX-License-Identifier: MIT
+-- What paper.tex takes from the tables: numbers for the prose and whole tables, so that nothing on the page that comes
+-- from data is typed by hand. Functions either return TeX text or print a table environment; an absent value shows as a
+-- dash. open() is called first, with the folders of the reduced tables and of the frame tables.
+local csv = require 'csv'
+local tables = {}
+local data, frames
+
+-- ---- Text and numbers ----
+
+local symbols = {
+  ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['~'] = '\\textasciitilde{}', ['^'] = '\\textasciicircum{}',
+  ['&'] = '\\&', ['%'] = '\\%', ['$'] = '\\$', ['#'] = '\\#', ['_'] = '\\_',
+  ['≥'] = '$\\ge$', ['≤'] = '$\\le$', ['≠'] = '$\\ne$', ['≈'] = '$\\approx$', ['×'] = '$\\times$', ['−'] = '$-$', ['±'] = '$\\pm$',
+  ['·'] = '$\\cdot$', ['∞'] = '$\\infty$', ['α'] = '$\\alpha$', ['ℓ'] = '$\\ell$', ['δ'] = '$\\delta$', ['ρ'] = '$\\rho$', ['λ'] = '$\\lambda$',
+  ['μ'] = '$\\mu$', ['π'] = '$\\pi$', ['φ'] = '$\\phi$', ['→'] = '$\\to$', ['<'] = '\\textless{}', ['>'] = '\\textgreater{}',
+  ['"'] = '\\textquotedbl{}', ['|'] = '\\textbar{}',
+}
+
+-- Plain text as TeX shows it literally.
+local function escape(text) return (text:gsub(utf8.charpattern, symbols)) end
+
+-- Words between backticks in the typewriter face.
+local function code_in(text) return (text:gsub('`([^`]+)`', '\\texttt{%1}')) end
+
+-- Whole numbers with a thin space between groups of three digits: 11 520.
+local function grouped(digits)
+  if #digits <= 4 then return digits end
+  local groups = {}
+  while #digits > 3 do
+    table.insert(groups, 1, digits:sub(-3))
+    digits = digits:sub(1, -4)
+  end
+  table.insert(groups, 1, digits)
+  return table.concat(groups, '\\,')
+end
+
+-- A number of the tables for reading: whole ones in full, others with three significant digits.
+local function show(text)
+  local value = tonumber(text)
+  if not value or value ~= value then return '--' end
+  if math.abs(value) == math.huge then return value > 0 and '$\\infty$' or '$-\\infty$' end
+  local sign = value < 0 and '$-$' or ''
+  value = math.abs(value)
+  if value == math.floor(value) and value < 1e9 then return sign .. grouped(('%d'):format(value)) end
+  if value >= 999.5 then return sign .. grouped(('%.0f'):format(value)) end
+  if value >= 1e-3 then
+    local decimals = math.max(0, 2 - math.floor(math.log(value, 10) + 1e-12))
+    return sign .. ('%.' .. decimals .. 'f'):format(value)
+  end
+  local mantissa, exponent = ('%.1e'):format(value):match '^(.-)e(.*)$'
+  return ('%s$%s\\cdot10^{%d}$'):format(sign, mantissa, tonumber(exponent))
+end
+
+-- A probability: two significant digits.
+local function probability(text)
+  local value = tonumber(text)
+  if not value or value ~= value then return '--' end
+  if value < 1e-4 then return '$<10^{-4}$' end
+  return ('%.' .. math.max(2, 1 - math.floor(math.log(value, 10) + 1e-12)) .. 'f'):format(value)
+end
+
+-- As it stands in a table, powers of ten set as such: 1e-4, 0.40.
+local function literal(text)
+  local mantissa, exponent = text:match '^(%-?[%d.]+)e([+-]?%d+)$'
+  if not mantissa then return (escape(text):gsub('^%-', '$-$')) end
+  local factor = mantissa == '1' and '' or mantissa .. '\\cdot'
+  return ('$%s10^{%d}$'):format(factor, tonumber(exponent))
+end
+
+-- Millions in words where they are round: 96 million.
+local function in_words(text)
+  local value = tonumber(text)
+  if value and value >= 1e6 and value % 1e5 == 0 then return show(value / 1e6) .. ' million' end
+  return show(text)
+end
+
+local function interval(row, middle)
+  if row.low == '' or row.high == '' then return show(row[middle]) end
+  return ('%s [%s, %s]'):format(show(row[middle]), show(row.low), show(row.high))
+end
+
+local function short(setting) return escape((setting:upper():gsub('%-', ' '))) end
+
+-- ---- Data ----
+
+-- Reads every table once.
+function tables.open(data_folder, frames_folder)
+  data, frames = {}, {}
+  data.manifest = csv.pairs_of(data_folder .. '/manifest.csv')
+  for _, name in ipairs { 'settings', 'runs', 'curves', 'entropy', 'outcomes', 'claims', 'parameters' } do
+    data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
+  end
+  data.parameter = {}
+  for _, row in ipairs(data.parameters) do data.parameter[row.name] = row end
+  for _, row in ipairs(csv.read(frames_folder .. '/morphologies.csv')) do frames[row.setting] = row end
+end
+
+function tables.manifest(key) return in_words(assert(data.manifest[key], 'manifest.csv has no ' .. key)) end
+function tables.version() return escape(data.manifest.version) end
+
+-- A parameter as the paper has it, by its name in the table of parameters.
+function tables.parameter(name)
+  return literal(assert(data.parameter[name], 'parameters.csv has no ' .. name).standard)
+end
+
+-- The same as a percentage: 40.
+function tables.percent(name) return show(100 * tonumber(data.parameter[name].standard)) end
+
+-- How much of the planned design the data hold.
+function tables.size_of_data()
+  local planned = data.manifest
+  if planned.complete == '1' then
+    return ('The data behind this copy are complete: %s seeds of each of %s settings, %s generations of %s individuals; %s evaluations.')
+      :format(show(planned.seeds), show(planned.settings), show(planned.generations), show(planned.population),
+              in_words(planned.evaluations))
+  end
+  local function of(key) return ('%s of %s'):format(show(planned[key]), show(planned[key .. '_planned'])) end
+  return ('The data behind this copy: %s seeds, %s generations, %s individuals in each of %s settings; %s of %s evaluations.')
+    :format(of 'seeds', of 'generations', of 'population', show(planned.settings), show(planned.evaluations),
+            in_words(planned.evaluations_planned))
+end
+
+function tables.is_complete() return data.manifest.complete == '1' end
+
+-- What the share of the design means for the reader, in one sentence.
+function tables.caution()
+  if tables.is_complete() then return '' end
+  return 'What the figures show is therefore a first look at the beginning of evolution, not yet evidence about the claims; '
+    .. 'claims that the data do not reach are marked open.'
+end
+
+-- Mean best fitness of a setting in its last generation, with its interval.
+function tables.final_fitness(setting)
+  local rows = csv.where(data.curves, { setting = setting })
+  return #rows > 0 and interval(rows[#rows], 'mean') or '--'
+end
+
+function tables.entropy(setting)
+  local rows = csv.where(data.entropy, { setting = setting })
+  return #rows > 0 and interval(rows[1], 'mean') or '--'
+end
+
+-- Number of claims with a verdict.
+function tables.verdicts(verdict) return tostring(#csv.where(data.claims, { verdict = verdict })) end
+function tables.claims_judged() return tostring(#data.claims) end
+
+-- The number of parameters with a given origin; 'paper' stands for its sections, equations and figures.
+function tables.parameters_from(origin)
+  local count = 0
+  for _, row in ipairs(data.parameters) do
+    local paper = row.origin:find '§' or row.origin:find 'Eq' or row.origin:find 'Fig'
+    if (origin == 'paper' and paper) or row.origin == origin then count = count + 1 end
+  end
+  return tostring(count)
+end
+
+-- ---- Tables ----
+
+local function median(values)
+  table.sort(values)
+  local middle = #values // 2
+  if #values == 0 then return '' end
+  return #values % 2 == 1 and values[middle + 1] or (values[middle] + values[middle + 1]) / 2
+end
+
+-- Each setting: its size and its best run.
+function tables.print_settings()
+  local lines = { '\\begin{tabular}{lrrrrrrrr}', '\\toprule',
+    ' & & & & \\multicolumn{2}{c}{best fitness of a run} & \\multicolumn{3}{c}{the best individual} \\\\',
+    '\\cmidrule(lr){5-6}\\cmidrule(l){7-9}',
+    'setting & runs & gen. & pop. & highest & median & found in gen. & cells & elongation \\\\', '\\midrule' }
+  for number, setting in ipairs(data.settings) do
+    local runs, fitness, best = csv.where(data.runs, { setting = setting.setting }), {}, nil
+    for _, run in ipairs(runs) do
+      fitness[#fitness + 1] = tonumber(run.best_fitness)
+      if not best or tonumber(run.best_fitness) > tonumber(best.best_fitness) then best = run end
+    end
+    best = best or {}
+    lines[#lines + 1] = table.concat({ short(setting.setting), show(setting.runs), show(setting.generations),
+      show(setting.population), show(best.best_fitness), show(median(fitness)), show(best.best_generation),
+      show(best.best_cells), show(best.elongation) }, ' & ') .. ' \\\\'
+    if number % 2 == 0 and number < #data.settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
+  end
+  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
+  tex.print(lines)
+end
+
+-- What became of the individuals, in the first and in the last generation.
+function tables.print_outcomes()
+  local kinds = { 'viable', 'died_out', 'too_small', 'overgrown', 'never_settled', 'exploded', 'overborn' }
+  local lines = { '\\begin{tabular}{lr' .. ('r'):rep(#kinds) .. '}', '\\toprule',
+    'setting & gen. & ' .. escape(table.concat(kinds, ' & ')):gsub('\\_', ' '):gsub('\\&', '&') .. ' \\\\', '\\midrule' }
+  local previous
+  for _, row in ipairs(data.outcomes) do
+    local cells = { row.setting == previous and '' or short(row.setting), show(row.generation) }
+    if previous and row.setting ~= previous then lines[#lines + 1] = '\\addlinespace[2pt]' end
+    for _, kind in ipairs(kinds) do cells[#cells + 1] = ('%.1f'):format(100 * tonumber(row[kind])) end
+    lines[#lines + 1] = table.concat(cells, ' & ') .. ' \\\\'
+    previous = row.setting
+  end
+  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
+  tex.print(lines)
+end
+
+-- The two sides of a claim, what they share said once: OSC AQ, NS : NEAT.
+local function sides(row)
+  if row.setting_b == '' then return short(row.setting_a) end
+  local shared, first = row.setting_a:match '^(.*)%-(%w+)$'
+  local second = shared and row.setting_b:match('^' .. shared:gsub('%-', '%%-') .. '%-(%w+)$')
+  if second then return ('%s, %s : %s'):format(short(shared), short(first), short(second)) end
+  return short(row.setting_a) .. ' : ' .. short(row.setting_b)
+end
+
+-- What was measured for a claim: effect, interval and p; then, quietly, on which runs and when.
+local function evidence(row)
+  local measured = {}
+  if row.effect ~= '' then
+    measured[1] = ('%s = %s'):format(row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first side's"))), interval(row, 'effect'))
+  end
+  if tonumber(row.p) then
+    measured[#measured + 1] = ('\\mbox{$p$ %s%s}'):format(tonumber(row.p) < 1e-4 and '' or '= ', probability(row.p))
+  end
+  local runs = row.setting_b ~= '' and show(row.runs_a) .. ' + ' .. show(row.runs_b) or show(row.runs_a)
+  local basis = sides(row) .. '; ' .. runs .. ' runs'
+  if tonumber(row.at_generation) > 0 then
+    basis = basis .. '; gen. ' .. show(row.at_generation)
+    if row.at_generation ~= row.generation then basis = basis .. ' of ' .. show(row.generation) end
+  end
+  if row.note ~= '' and row.verdict ~= 'open' then basis = basis .. '; ' .. escape(row.note) end
+  return ('%s%s{\\scriptsize\\color{quiet}%s}'):format(table.concat(measured, '; '), #measured > 0 and '\\newline ' or '', basis)
+end
+
+-- The claims of the paper with verdicts.
+function tables.print_claims()
+  local head = ' & claim & the paper & here & verdict \\\\'
+  local lines = { '\\begin{longtable}{@{}l>{\\raggedright}p{4.8cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.3cm}l@{}}',
+    '\\caption{The claims of the paper, judged. Effects: $A_{12}$ is the probability that a run of the first side has the '
+    .. 'larger value than one of the second (one half: no difference); intervals are bootstrap intervals; $p$ is that of the two-tailed '
+    .. 'rank-sum test. Small print: sides, runs, generation of the one planned, and what limits a verdict. Open: runs, generations or individuals are missing.}\\label{tab:claims}\\\\',
+    '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
+  local previous
+  for index, row in ipairs(data.claims) do
+    if index > 1 then lines[#lines + 1] = '\\addlinespace' end
+    lines[#lines + 1] = ('%s & %s (%s) & %s & %s & \\verdict{%s} \\\\'):format(row.id == previous and '' or escape(row.id),
+      escape(row.statement), escape(row.section), escape(row.paper), evidence(row), escape(row.verdict))
+    previous = row.id
+  end
+  lines[#lines + 1] = '\\end{longtable}'
+  tex.print(lines)
+end
+
+-- Every parameter with its origin.
+function tables.print_parameters()
+  local head = 'parameter & value & unit & origin & meaning \\\\'
+  local lines = { '\\begin{longtable}{@{}lrl>{\\raggedright}p{1.2cm}>{\\raggedright\\arraybackslash}p{6.8cm}@{}}',
+    '\\caption{Every parameter of the model. Origin: a section, equation or figure of the paper; MN, the configuration of '
+    .. 'MultiNEAT that the paper used; ours, where nothing public says.}\\label{tab:parameters}\\\\',
+    '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
+  local section
+  for _, row in ipairs(data.parameters) do
+    if row.section ~= section then
+      section = row.section
+      lines[#lines + 1] = ('\\addlinespace\\multicolumn{5}{@{}l}{\\itshape %s}\\\\*\\addlinespace[2pt]'):format(escape(section))
+    end
+    local value = row.value == '' and 'varies' or literal(row.value)
+    if row.value ~= row.standard and row.value ~= '' then value = ('\\textbf{%s} (%s)'):format(value, literal(row.standard)) end
+    lines[#lines + 1] = ('%s & %s & %s & %s & %s \\\\'):format(escape(row.name):gsub('\\_', '\\_\\allowbreak{}'), value,
+      escape(row.unit), escape(row.origin), escape(row.meaning))
+  end
+  lines[#lines + 1] = '\\end{longtable}'
+  tex.print(lines)
+end
+
+-- The ledger of assumptions: number and title of every page of a folder, in order.
+function tables.print_decisions(folder)
+  local names, lines = {}, { '\\begin{description}' }
+  for name in lfs.dir(folder) do
+    if name:match '^%d%d%d%d%-.*%.md$' then names[#names + 1] = name end
+  end
+  table.sort(names)
+  for _, name in ipairs(names) do
+    local text = io.open(folder .. '/' .. name):read 'a'
+    local title = assert(text:match '\n?# (.-)\n', name .. ' has no title')
+    local decision = assert(text:match '## Decision\n+(.-)\n\n', name .. ' has no decision')
+    lines[#lines + 1] = ('\\item[%s] \\textbf{%s.} %s'):format(name:sub(1, 4), escape(title), code_in(escape(decision):gsub('\n', ' ')))
+  end
+  lines[#lines + 1] = '\\end{description}'
+  tex.print(lines)
+end
+
+-- The best individual of a setting as the caption of its portrait says it.
+function tables.portrait(setting)
+  local row = frames[setting]
+  if not row then return short(setting) .. ': no viable individual' end
+  return ('%s: fitness %s, %s cells'):format(short(setting), show(row.fitness), show(row.cells))
+end
+
+return tables

@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Shows that the lint can fail: plants one violation at a time in a small project of its own and demands that the lint
+# names it, and that the same project without it passes.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+project=$(mktemp -d)
+trap 'rm -rf "$project"' EXIT
+failed=0 checked=0
+
+# A project that keeps every rule, with words in comments and strings that would break them in code.
+fresh() {
+    rm -rf "${project:?}"/*
+    mkdir -p "$project"/core/{base,genome,physics,development,record} "$project"/scripting "$project"/tests
+    cp -r "$here" "$project/tests/lint"
+    cat > "$project/core/CMakeLists.txt" <<'TXT'
+# SPDX-License-Identifier: MIT
+room(base)
+room(parameters)
+room(genome      DEPENDS base)
+room(physics     DEPENDS base)
+room(development DEPENDS genome)
+room(record      DEPENDS physics)
+TXT
+    local file
+    for file in base/random.h base/math.h base/parallel.h base/lanes.h base/text.h genome/genome.h physics/step.h record/write.h; do
+        printf '// SPDX-License-Identifier: MIT\n#pragma once\n' > "$project/core/$file"
+    done
+    cat >> "$project/core/base/math.h" <<'TXT'
+namespace planula::math {
+double tanh(double x);
+double exp(double x);
+}
+TXT
+    cat > "$project/core/development/grow.cpp" <<'TXT'
+// SPDX-License-Identifier: MIT
+// std::sin(x) and std::shuffle in a comment, /* and <thread> */ too.
+#include "base/math.h"
+#include "genome/genome.h"
+#include <vector>
+/* std::exp(1) over
+   std::pow(2, 3) two lines */
+double grow(double x) { return planula::math::tanh(x) + planula::math::exp(x) + 1'000; }
+const char *words = "std::sin(x) \" std::mt19937 //"; // log(x)
+TXT
+    mkdir -p "$project"/core/parameters "$project"/paper/decisions
+    printf '// SPDX-License-Identifier: MIT\nPARAMETER(double, gravity, 5, 0, 9, "1", "ours", "weight")\n' > "$project/core/parameters/parameters.inl"
+    printf '# Land\n\n`gravity` 5\n' > "$project/paper/decisions/0001-land.md"
+    printf '#include <iostream>\n' >> "$project/core/record/write.h"
+    printf '#include <thread>\n' >> "$project/core/base/parallel.h"
+    printf '#include <immintrin.h>\n' >> "$project/core/base/lanes.h"
+    printf '// SPDX-License-Identifier: MIT\n#include "physics/step.h"\n' > "$project/scripting/main.cpp"
+}
+
+# passes LINT: the clean project passes.
+passes() {
+    checked=$((checked + 1))
+    bash "$project/tests/lint/$1" "$project" > "$project/log" 2>&1 && return
+    echo "lint_test: $1 rejects the clean project:"
+    cat "$project/log"
+    failed=$((failed + 1))
+}
+
+# catches LINT WORDS FILE LINE: with LINE appended to FILE the lint fails and says WORDS about that file.
+catches() {
+    fresh
+    checked=$((checked + 1))
+    mkdir -p "$(dirname "$project/$3")"
+    [[ -e $project/$3 || $1 == sources.sh ]] || printf '// SPDX-License-Identifier: MIT\n' > "$project/$3"
+    printf '%b\n' "$4" >> "$project/$3"
+    if bash "$project/tests/lint/$1" "$project" > "$project/log" 2>&1; then
+        echo "lint_test: $1 does not see in $3: $4"
+    elif ! grep -F "$3:" "$project/log" | grep -qF -- "$2"; then
+        echo "lint_test: $1 fails on $4, but does not say '$2' about $3:"
+        cat "$project/log"
+    else
+        return 0
+    fi
+    failed=$((failed + 1))
+}
+
+fresh
+passes layering.sh
+passes sources.sh
+
+# Rooms.
+catches layering.sh 'gives it no way to physics' core/development/grow.cpp '#include "physics/step.h"'
+catches layering.sh 'gives it no way to development' core/physics/step.h '#include "development/grow.h"'
+catches layering.sh 'names no room' core/physics/step.h '#include "phisics/step.h"'
+catches layering.sh 'does not exist' core/physics/step.h '#include "base/vector.h"'
+catches layering.sh 'does not exist' scripting/main.cpp '#include "physics/missing.h"'
+catches layering.sh 'without a room line' core/attic/old.cpp 'int x;'
+catches layering.sh 'draws random numbers' core/physics/step.h '#include "base/random.h"'
+
+# Headers with one home.
+for header in fstream iostream cstdio; do
+    catches layering.sh 'outside record and scripting' core/physics/step.h "#include <$header>"
+done
+catches layering.sh 'outside base/parallel' core/record/write.h '#include <thread>'
+catches layering.sh 'outside base/parallel' scripting/main.cpp '  #  include <future>'
+catches layering.sh 'outside base/lanes' core/physics/kernel.cpp '#include <immintrin.h>'
+catches layering.sh 'outside base/lanes' core/physics/kernel.cpp '#include <arm_neon.h>'
+catches layering.sh 'the streams of base/random.h' core/genome/genome.h '#include <random>'
+catches layering.sh 'no clock' core/record/write.h '#include <chrono>'
+
+# Constructs.
+for call in 'std::sin(x)' 'std::exp (x)' 'std::pow(x, 2)' 'std::tanh(x)' 'std::log(x)' 'std::hypot(x, x)' '::cos(x)' 'sinf(x)' 'atan2(x, x)'; do
+    catches layering.sh 'transcendental of libm' core/physics/step.h "inline double f(double x) { return $call; }"
+done
+catches layering.sh 'transcendental of libm' core/base/math.h 'inline double f(double x) { return std::exp(x); }'
+catches layering.sh 'transcendental of libm' scripting/main.cpp 'double f(double x) { return /* own */ std::exp(x); }'
+catches layering.sh 'a Stream of base/random.h' core/genome/genome.h 'std::normal_distribution<double> d;'
+catches layering.sh 'a Stream of base/random.h' core/genome/genome.h 'void f(int *a) { std::shuffle(a, a + 3, g); }'
+catches layering.sh 'a Stream of base/random.h' scripting/main.cpp 'int f() { return rand(); }'
+catches layering.sh 'environment or locale' core/record/write.h 'auto h = std::getenv("HOME");'
+catches layering.sh 'follows the locale' core/record/write.h 'double f(const char *s) { return std::strtod(s, nullptr); }'
+
+# Texts.
+catches sources.sh 'no SPDX' core/physics/bare.cpp 'int x;'
+catches sources.sh 'no SPDX' paper/bare.gp 'plot x'
+catches sources.sh 'path of some machine' core/physics/step.h '// see /ho''me/somebody/notes'
+catches sources.sh 'path of some machine' README.md 'out = "/tm''p/result.csv"'
+catches sources.sh 'carriage return' core/physics/step.h 'int x;\r'
+catches sources.sh 'blank at the end' core/physics/step.h 'int x; '
+catches sources.sh 'unfinished work' core/physics/step.h '// TO''DO later'
+catches sources.sh 'no page of paper/decisions names' core/parameters/parameters.inl \
+    '// SPDX-License-Identifier: MIT\nPARAMETER(double, ether, 1, 0, 2, "1", "ours", "unexplained")'
+
+if ((failed)); then
+    echo "lint_test: $failed of $checked plants slip through"
+    exit 1
+fi
+echo "lint_test: the lint passes and fails as it should in $checked cases"

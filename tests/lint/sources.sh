@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# What must hold for every tracked file: sources name their licence in the first lines; no text holds a path of some
+# machine, a line ending of another system, a blank at a line's end, or a mark of unfinished work.
+# Prints FILE:LINE: what is wrong; fails if anything is.
+#
+#   sources.sh [ROOT]       ROOT is the checkout; by default the one this script lies in
+set -euo pipefail
+cd "${1:-$(dirname "$0")/../..}"
+export LC_ALL=C
+
+# Files under version control and new ones that are not ignored; without git, all but build/.
+list() {
+    { git ls-files --cached --others --exclude-standard 2> /dev/null || find . -type f -not -path './build/*' -not -path './.git/*'; } |
+        sed 's|^\./||' | sort | while IFS= read -r file; do [[ -f $file ]] && printf '%s\n' "$file"; done
+}
+mapfile -t files < <(list)
+sources=() texts=()
+for file in "${files[@]}"; do
+    case $file in
+        *.h | *.cpp | *.inl | *.in | *.lua | *.gp | *.tex | *.bib | *.sh | *.awk | *.cmake | *CMakeLists.txt | Makefile | .ci/run) sources+=("$file") ;;
+    esac
+    case $file in
+        *.png | *.pdf | *.gz | LICENSE) ;;
+        data/*.csv | tests/golden/*) ;;
+        *) texts+=("$file") ;;
+    esac
+done
+# A checkout without a source would pass everything.
+((${#sources[@]})) || { echo "sources: no source file found in $PWD" >&2; exit 2; }
+
+errors=0
+found() { # found MESSAGE: every line FILE:LINE:… of standard input is an error
+    while IFS=: read -r file line _; do
+        echo "$file:$line: $1"
+        errors=$((errors + 1))
+    done
+}
+found 'no SPDX-License-Identifier in the first five lines' < <(
+    for file in "${sources[@]}"; do head -n 5 "$file" | grep -q 'SPDX-License-Identifier: ' || echo "$file:1:"; done
+)
+search() { grep -nE "$1" /dev/null "${texts[@]}" || true; } # search PATTERN
+machine='(^|[^A-Za-z0-9_.}-])/(home|root|Users|work|workspace|mnt|media|srv|tmp|var/tmp)/[A-Za-z0-9_.]'
+found 'a path of some machine' < <(search "$machine")
+found 'a carriage return' < <(search $'\r')
+found 'a blank at the end of the line' < <(search '[ 	]+$')
+found 'a mark of unfinished work' < <(search '(^|[^A-Za-z])(TO''DO|FIX''ME|XX''X|HA''CK)([^A-Za-z]|$)')
+
+# A parameter that nothing public gives has a page that says why.
+ours=$(sed -nE 's/^PARAMETER\([a-z]+, ([a-z0-9_]+),.*, "ours", .*/\1/p' core/parameters/parameters.inl 2> /dev/null || true)
+found 'a parameter of ours that no page of paper/decisions names' < <(
+    for name in $ours; do
+        grep -qF "\`$name\`" paper/decisions/*.md || grep -n "PARAMETER([a-z]*, $name," /dev/null core/parameters/parameters.inl
+    done
+)
+
+if ((errors)); then
+    echo "sources: $errors violations"
+    exit 1
+fi
+echo "sources: ${#sources[@]} sources name their licence; ${#texts[@]} texts are clean"

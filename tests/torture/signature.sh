@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Compares `planula signature`, one hash over runs of all eight settings, with tests/golden/signature.
+#
+#   signature.sh PROGRAM          this program, as it is
+#   signature.sh --alternative    one more build: by clang++ where there is one, else by g++ without optimisation
+#   signature.sh --all            each compiler × {-O0, -O3} × {1, 2, 3, 7 threads} × {this processor, one whose libc
+#                                 sees neither AVX2 nor FMA}
+#
+# Prints one line per cell of that table and a last one that counts; fails if a cell differs.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+golden=tests/golden/signature
+plain_libm='glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable'
+jobs=${JOBS:-$(nproc)}
+passed=0 failed=0
+[[ -s $golden ]] || { echo "signature: $golden is missing" >&2; exit 1; }
+
+# build COMPILER LEVEL: prints the program's path, having built it.
+build() {
+    local folder=build/signature/$1$2
+    mkdir -p "$folder"
+    [[ -f $folder/CMakeCache.txt ]] ||
+        cmake -S . -B "$folder" -DCMAKE_CXX_COMPILER="$1" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$2" -DBUILD_TESTING=OFF \
+            > "$folder/log" 2>&1 || { cat "$folder/log" >&2; return 1; }
+    cmake --build "$folder" --parallel "$jobs" --target planula > "$folder/log" 2>&1 || { cat "$folder/log" >&2; return 1; }
+    echo "$folder/planula"
+}
+
+# cell TITLE COMMAND…: runs one cell.
+cell() {
+    local title=$1 value
+    shift
+    value=$("$@" 2>&1) || true
+    if [[ $value == "$(< "$golden")" ]]; then
+        passed=$((passed + 1))
+        echo "signature: $title: as in $golden"
+    else
+        failed=$((failed + 1))
+        printf 'signature: %s: DIFFERS\n  expected %s\n  got      %s\n' "$title" "$(< "$golden")" "$value"
+    fi
+}
+
+case ${1-} in
+    --alternative)
+        compiler=g++ level=-O0
+        if command -v clang++ > /dev/null; then compiler=clang++ level=-O2; fi
+        program=$(build "$compiler" "$level")
+        cell "$compiler $level" "$program" signature --threads "$jobs"
+        ;;
+    --all)
+        for compiler in g++ clang++; do
+            command -v "$compiler" > /dev/null || { echo "signature: $compiler is not installed, left out"; continue; }
+            for level in -O0 -O3; do
+                program=$(build "$compiler" "$level")
+                for threads in 1 2 3 7; do
+                    cell "$compiler $level, $threads threads" "$program" signature --threads "$threads"
+                    cell "$compiler $level, $threads threads, no AVX2, no FMA" \
+                        env GLIBC_TUNABLES="$plain_libm" "$program" signature --threads "$threads"
+                done
+            done
+        done
+        ;;
+    -* | '')
+        echo "usage: signature.sh PROGRAM | --alternative | --all" >&2
+        exit 2
+        ;;
+    *)
+        cell "$1" "$1" signature
+        ;;
+esac
+echo "signature: $passed passed, $failed failed"
+((failed == 0))
