@@ -109,7 +109,7 @@ clean: ## remove build/, runs included
 	@rm -rf build
 
 ##@ System packages (Debian 12; done by the others when needed)
-BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev
+BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev
 PAPER_PACKAGES = gnuplot-nox texlive-latex-base texlive-latex-recommended texlive-luatex lmodern
 
 deps: ## packages to build and test

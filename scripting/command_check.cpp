@@ -32,10 +32,11 @@ void describe_setting(const Spec &setting, std::ostream &out) {
     const Environment &world = setting.environment;
     out << "\nsetting " << setting.name << ": " << setting.title << "\n  actuation "
         << name_of(setting.actuation) << ", rest lengths change by up to " << to_text(setting.actuation_range)
-        << "\n  search " << setting.search << "\n  gravity " << to_text(world.gravity) << ", ground "
-        << ground_words(world) << ", friction " << to_text(world.friction) << "\n  drag normal "
-        << to_text(world.drag_normal) << ", tangential " << to_text(world.drag_tangential) << ", flow "
-        << to_text(world.flow.x) << ", " << to_text(world.flow.y) << '\n';
+        << "\n  search " << setting.search << ", engine " << setting.engine << "\n  gravity "
+        << to_text(world.gravity) << ", ground " << ground_words(world) << ", friction "
+        << to_text(world.friction) << "\n  drag normal " << to_text(world.drag_normal) << ", tangential "
+        << to_text(world.drag_tangential) << ", flow " << to_text(world.flow.x) << ", "
+        << to_text(world.flow.y) << '\n';
     bool as_in_the_paper = true;
     for (const ParameterRow &row : parameter_rows()) {
         const double value = parameter(setting.parameters, row.name);

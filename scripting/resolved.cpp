@@ -53,7 +53,8 @@ std::string resolved_text(const Experiment &experiment, const Spec &setting) {
         "-- SPDX-License-Identifier: MIT\n-- A setting with every value that decides its results.\n"
         "return {\n  setting = \"" +
         setting.name + "\",\n  actuation = \"" + name_of(setting.actuation) + "\",\n  search = \"" +
-        setting.search + "\",\n" + environment_text(setting) + "  parameters = {\n";
+        setting.search + "\",\n  engine = \"" + setting.engine + "\",\n" + environment_text(setting) +
+        "  parameters = {\n";
     for (const ParameterRow &row : parameter_rows())
         text +=
             "    " + std::string(row.name) + " = " + to_text(parameter(setting.parameters, row.name)) + ",\n";

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "evolution/search.h"
+#include "physics/engine.h"
 #include "scripting/reader.h"
 #include "scripting/schema_environment.h"
 #include "scripting/schema_statistics.h"
@@ -15,11 +16,12 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view setting_keys[] = {"name",       "title",   "actuation", "search",   "environment",
-                                             "parameters", "fitness", "penalty",   "behaviour"};
-constexpr std::string_view experiment_keys[] = {"name",        "title",      "actuation", "search",
-                                                "environment", "parameters", "fitness",   "penalty",
-                                                "behaviour",   "statistics"};
+constexpr std::string_view setting_keys[] = {"name",    "title",       "actuation",  "search",
+                                             "engine",  "environment", "parameters", "fitness",
+                                             "penalty", "behaviour"};
+constexpr std::string_view experiment_keys[] = {"name",    "title",       "actuation",  "search",
+                                                "engine",  "environment", "parameters", "fitness",
+                                                "penalty", "behaviour",   "statistics"};
 constexpr std::string_view design_keys[] = {"name", "title", "parameters", "settings", "statistics"};
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
 constexpr std::string_view hook_names[] = {"fitness", "penalty", "behaviour"};
@@ -94,10 +96,9 @@ class Schema {
         spec.title = reader.text("title");
         if (spec.title.empty()) spec.title = spec.name;
         read_actuation(reader, spec);
-        spec.search = reader.text("search", true);
-        if (const auto names = search_names();
-            !spec.search.empty() && std::find(names.begin(), names.end(), spec.search) == names.end())
-            reader.report("search", reader.at("search").words + ": " + none_of(spec.search, names));
+        spec.search = choice(reader, "search", true, search_names());
+        if (const std::string engine = choice(reader, "engine", false, engine_names()); !engine.empty())
+            spec.engine = engine;
         if (shared)
             set_parameters(*shared, problems_.root(lua_.result(), lua_.main()).at("parameters", shared),
                            spec);
@@ -115,6 +116,15 @@ class Schema {
         // Rules between the parts, once each part is right.
         if (problems_.count() == problems_before)
             check_at(reader.place(), problems_, [&] { check_spec(spec); });
+    }
+
+    /// A text that must be one of some names; empty if it is missing.
+    static std::string choice(Reader &reader, const std::string &key, bool needed,
+                              std::span<const std::string_view> names) {
+        const std::string name = reader.text(key, needed);
+        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+            reader.report(key, reader.at(key).words + ": " + none_of(name, names));
+        return name;
     }
 
     void read_actuation(Reader &reader, Spec &spec) {

@@ -4,6 +4,7 @@
 //   name, title       of the experiment
 //   actuation         "oscillator" or "grn"
 //   search            a name of make_search(): "neat", "novelty"
+//   engine            a name of make_engine(): "native" (if not given), "bullet"
 //   environment       {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y},
 //   actuation_range} parameters        {name = value}: departures from the standard values fitness, penalty,
 //   behaviour      functions (scripting/hooks.h) statistics        a table, or the name of a module that

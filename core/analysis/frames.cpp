@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis.h"
+#include "analysis/relive.h"
 #include "base/error.h"
-#include "base/text.h"
 #include "body/body.h"
 #include "development/embryo.h"
-#include "evaluation/live.h"
 #include "record/csv.h"
 #include "record/genome_table.h"
 
@@ -20,34 +19,23 @@ namespace {
 constexpr int frames_per_stage = 6;
 using Steps = std::array<int, frames_per_stage>;
 
-/// The recorded best individual of a setting.
-struct Recorded {
-    BestGenomeRow summary; // of its first row
-    Genome genome;
-};
-
 /// A setting's individual in best_genomes.csv, if there is one.
 std::optional<Recorded> read_recorded(const std::filesystem::path &data, const Spec &spec) {
     std::optional<Recorded> found;
     std::vector<GenomeRow> genes;
     for (const BestGenomeRow &row : read_table<BestGenomeRow>(data)) {
         if (row.setting != spec.name) continue;
-        if (!found) found = Recorded{row, {}};
+        if (!found)
+            found = Recorded{data / BestGenomeRow::file_name, {}, row.fitness, row.displacement, row.cells};
         genes.push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
     }
     if (!found) return found;
 
-    const std::string where = (data / BestGenomeRow::file_name).string() + ": setting '" + spec.name + "': ";
     try {
         found->genome = genome_of(genes);
     } catch (const InputError &error) {
-        throw InputError(where + error.what());
+        throw InputError(found->file.string() + ": setting '" + spec.name + "': " + error.what());
     }
-    const Genome &genome = found->genome;
-    if (genome.inputs != input::count || genome.outputs != output::count(spec.actuation))
-        throw InputError(where + "a genome with " + to_text(genome.inputs) + " inputs and " +
-                         to_text(genome.outputs) + " outputs does not fit the actuation '" +
-                         name_of(spec.actuation) + "'");
     return found;
 }
 
@@ -154,20 +142,11 @@ class Camera {
     Body body_;
 };
 
-void film(const Spec &spec, const Recorded &recorded, const std::filesystem::path &data,
-          FrameTables &tables) {
+void film(const Spec &spec, const Recorded &recorded, FrameTables &tables) {
     Camera camera(spec, tables);
-    const Life life = live(recorded.genome, spec.actuation, spec.actuation_range, spec.environment,
-                           spec.parameters, camera.watch());
-    const BestGenomeRow &summary = recorded.summary;
-    if (life.displacement() != summary.displacement || life.cells != summary.cells)
-        throw InputError((data / BestGenomeRow::file_name).string() + ": the best individual of '" +
-                         spec.name + "' moved " + to_text(summary.displacement) + " cells with " +
-                         to_text(summary.cells) + " cells, and lived again it moves " +
-                         to_text(life.displacement()) + " with " + to_text(life.cells) +
-                         ": the data are of another experiment or version");
+    const Life life = relive(recorded, spec, camera.watch());
     tables.describe({.setting = spec.name,
-                     .fitness = summary.fitness,
+                     .fitness = recorded.fitness,
                      .displacement = life.displacement(),
                      .cells = life.cells,
                      .elongation = life.elongation,
@@ -182,7 +161,7 @@ void write_frames(std::span<const Spec> settings, const std::filesystem::path &d
     make_folder(out);
     FrameTables tables(out);
     for (const Spec &spec : settings)
-        if (const auto recorded = read_recorded(data, spec)) film(spec, *recorded, data, tables);
+        if (const auto recorded = read_recorded(data, spec)) film(spec, *recorded, tables);
     tables.commit();
 }
 

@@ -5,7 +5,7 @@
 #include "locomotion/trial.h"
 #include "network/network.h"
 #include "physics/embody.h"
-#include "physics/native/native_engine.h"
+#include "physics/engine.h"
 
 #include <utility>
 
@@ -28,18 +28,20 @@ Life life_of(const Growth &growth) {
 
 } // namespace
 
-Life live(const Genome &genome, Actuation actuation, double actuation_range, const Environment &environment,
-          const Parameters &parameters, const Watch &watch) {
-    const Network network = express(genome, parameters.propagation_limit);
-    const Growth growth = grow(network, actuation, parameters, watch.grow);
+Life live(const Genome &genome, const Conditions &conditions, const Watch &watch) {
+    const Parameters &growing = conditions.parameters;
+    const Network network = express(genome, growing.propagation_limit);
+    const Growth growth = grow(network, conditions.actuation, growing, watch.grow);
     Life life = life_of(growth);
     if (growth.outcome != Outcome::viable) return life;
     if (watch.born) watch.born(growth.body);
 
-    const SoftBodyModel model = embody(growth.body, environment, parameters);
-    const auto gait = make_gait(actuation, network, growth.body, growth.tissue, parameters);
-    NativeEngine engine;
-    Trial trial = locomote(model, environment, actuation_range, *gait, engine, watch.move);
+    const Parameters moving = refined(growing, conditions.refinement);
+    const SoftBodyModel model = embody(growth.body, conditions.environment, moving);
+    const auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
+    const auto engine = make_engine(conditions.engine);
+    Trial trial =
+        locomote(model, conditions.environment, conditions.actuation_range, *gait, *engine, watch.move);
 
     // A life that ended early has no place and no distance.
     life.outcome = trial.outcome;

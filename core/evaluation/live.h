@@ -4,11 +4,9 @@
 #pragma once
 
 #include "body/body.h"
-#include "cell/channels.h"
+#include "evaluation/conditions.h"
 #include "evaluation/life.h"
 #include "genome/genome.h"
-#include "parameters/parameters.h"
-#include "physics/environment.h"
 
 #include <functional>
 #include <span>
@@ -27,7 +25,6 @@ struct Watch {
     std::function<void(int step, std::span<const Vec2d> nodes, std::span<const double> signal)> move;
 };
 
-Life live(const Genome &genome, Actuation actuation, double actuation_range, const Environment &environment,
-          const Parameters &parameters, const Watch &watch = {});
+Life live(const Genome &genome, const Conditions &conditions, const Watch &watch = {});
 
 } // namespace planula

@@ -24,8 +24,7 @@ std::vector<Life> live_all(const Spec &spec, const Population &population, int t
     std::vector<Life> lives(population.genomes.size());
     parallel_for(static_cast<int>(lives.size()), threads, [&](int slot) {
         if (stop()) throw Stopped("stopped in generation " + std::to_string(population.generation));
-        lives[slot] = live(population.genomes[slot], spec.actuation, spec.actuation_range, spec.environment,
-                           spec.parameters);
+        lives[slot] = live(population.genomes[slot], spec);
     });
     return lives;
 }

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "evolution/search.h"
+#include "physics/engine.h"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ void check_spec(const Spec &spec) {
                          to_text(spec.actuation_range));
     if (!spec.judge) throw InputError("setting " + spec.name + " has no fitness, penalty and behaviour");
     make_search(spec.search, spec.parameters);
+    make_engine(spec.engine);
     check_environment(spec.environment);
     check_consistency(spec.parameters);
 }

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace planula {
@@ -29,5 +30,10 @@ class Engine {
     virtual std::vector<Vec2d> positions() const = 0;
     virtual std::vector<Vec2d> velocities() const = 0;
 };
+
+/// The names that make_engine knows: "native", "bullet".
+std::span<const std::string_view> engine_names();
+/// Throws InputError with the nearest name if there is no such engine.
+std::unique_ptr<Engine> make_engine(std::string_view name);
 
 } // namespace planula

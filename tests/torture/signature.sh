@@ -11,6 +11,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 golden=tests/golden/signature
+script=experiments/paper/replication.lua
 plain_libm='glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable'
 jobs=${JOBS:-$(nproc)}
 passed=0 failed=0
@@ -46,7 +47,7 @@ case ${1-} in
         compiler=g++ level=-O0
         if command -v clang++ > /dev/null; then compiler=clang++ level=-O2; fi
         program=$(build "$compiler" "$level")
-        cell "$compiler $level" "$program" signature --threads "$jobs"
+        cell "$compiler $level" "$program" signature --script "$script" --threads "$jobs"
         ;;
     --all)
         for compiler in g++ clang++; do
@@ -54,9 +55,9 @@ case ${1-} in
             for level in -O0 -O3; do
                 program=$(build "$compiler" "$level")
                 for threads in 1 2 3 7; do
-                    cell "$compiler $level, $threads threads" "$program" signature --threads "$threads"
+                    cell "$compiler $level, $threads threads" "$program" signature --script "$script" --threads "$threads"
                     cell "$compiler $level, $threads threads, no AVX2, no FMA" \
-                        env GLIBC_TUNABLES="$plain_libm" "$program" signature --threads "$threads"
+                        env GLIBC_TUNABLES="$plain_libm" "$program" signature --script "$script" --threads "$threads"
                 done
             done
         done
@@ -66,7 +67,7 @@ case ${1-} in
         exit 2
         ;;
     *)
-        cell "$1" "$1" signature
+        cell "$1" "$1" signature --script "$script"
         ;;
 esac
 echo "signature: $passed passed, $failed failed"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "physics/native/native_engine.h"
 
-#include "physics/laws/drag.h"
-#include "physics/laws/pressure.h"
-#include "physics/laws/spring.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -29,16 +25,8 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     position_.clear();
     for (const Vec2d p : model.positions) position_.push_back(to_float(p));
     velocity_.assign(position_.size(), {});
-    forces.assign(position_.size(), {});
-
-    // Small triangles get the stiffness of area_floor.
-    area_.clear(), pressure_stiffness_.clear();
-    for (const double area : model.areas) {
-        area_.push_back(static_cast<float>(area));
-        pressure_stiffness_.push_back(static_cast<float>(model.parameters.pressure_stiffness /
-                                                         std::max(area, model.parameters.area_floor)));
-    }
-    contact_.load(model);
+    forces_.assign(position_.size(), {});
+    law_.load(model, environment);
 
     // The ground is level beyond the ends of its polyline.
     const auto &line = environment.ground;
@@ -54,52 +42,9 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
 }
 
 Motion NativeEngine::step(std::span<const double> rest_lengths, double damping) {
-    std::fill(forces.begin(), forces.end(), Vec2f{});
-    add_spring_forces(rest_lengths);
-    add_pressure_forces();
-    add_drag_forces();
-    add_contact_forces();
+    law_.compute(rest_lengths, position_, velocity_, forces_);
     return integrate(static_cast<float>(damping));
 }
-
-void NativeEngine::add_spring_forces(std::span<const double> rest_lengths) {
-    const auto stiffness = static_cast<float>(model_->parameters.spring_stiffness);
-    const auto damping = static_cast<float>(model_->parameters.spring_damping);
-    for (std::size_t i = 0; i < model_->links.size(); ++i) {
-        const auto [a, b] = model_->links[i];
-        const Vec2f force = spring_force(position_[b] - position_[a], velocity_[b] - velocity_[a],
-                                         static_cast<float>(rest_lengths[i]), stiffness, damping);
-        forces[a] += force;
-        forces[b] -= force;
-    }
-}
-
-void NativeEngine::add_pressure_forces() {
-    for (std::size_t i = 0; i < model_->triangles.size(); ++i) {
-        const auto [a, b, c] = model_->triangles[i];
-        const auto push =
-            pressure_forces(position_[a], position_[b], position_[c], area_[i], pressure_stiffness_[i]);
-        forces[a] += push.a;
-        forces[b] += push.b;
-        forces[c] += push.c;
-    }
-}
-
-void NativeEngine::add_drag_forces() {
-    if (!environment_->has_fluid()) return;
-    const auto normal = static_cast<float>(environment_->drag_normal);
-    const auto tangential = static_cast<float>(environment_->drag_tangential);
-    const Vec2f flow = to_float(environment_->flow);
-    for (const OutlineLink &link : model_->outline) {
-        const Vec2f velocity = (velocity_[link.a] + velocity_[link.b]) * 0.5f - flow;
-        const Vec2f half =
-            drag_force(position_[link.b] - position_[link.a], velocity, normal, tangential) * 0.5f;
-        forces[link.a] += half;
-        forces[link.b] += half;
-    }
-}
-
-void NativeEngine::add_contact_forces() { contact_.add_forces(position_, forces); }
 
 Motion NativeEngine::integrate(float damping) {
     const auto dt = static_cast<float>(model_->parameters.time_step);
@@ -109,7 +54,7 @@ Motion NativeEngine::integrate(float damping) {
     float fastest = 0;
     bool finite = true;
     for (std::size_t i = 0; i < position_.size(); ++i) {
-        Vec2f v = (velocity_[i] + forces[i] * dt) * slowing;
+        Vec2f v = (velocity_[i] + forces_[i] * dt) * slowing;
         v.y -= gravity * dt;
         if (environment_->has_ground)
             v = ground_contact(position_[i], v, ground_below(position_[i].x), friction, dt);

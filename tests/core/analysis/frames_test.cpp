@@ -33,8 +33,7 @@ const Swimmer &swimmer() {
         const Population population =
             initial_population({input::count, output::count(spec.actuation), false}, spec.parameters, 1);
         for (const Genome &genome : population.genomes) {
-            const Life life =
-                live(genome, spec.actuation, spec.actuation_range, spec.environment, spec.parameters);
+            const Life life = live(genome, spec);
             if (life.outcome == Outcome::viable) return Swimmer{genome, life};
         }
         throw std::runtime_error("nobody swims");

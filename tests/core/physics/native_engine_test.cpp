@@ -152,37 +152,6 @@ BOOST_AUTO_TEST_CASE(without_drag_or_friction_muscles_move_nobody) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_dropped_body_comes_to_rest_on_the_ground) {
-    const Environment environment = land();
-    auto model = embody(lattice(6, 3), environment, Parameters{});
-    for (Vec2d &p : model.positions) p.y += 2;
-    NativeEngine engine;
-    engine.load(model, environment);
-    Motion motion;
-    for (int t = 0; t < 3000; ++t) motion = engine.step(model.rest_lengths, 1);
-    BOOST_TEST(motion.fastest < 0.05);
-    double lowest = 1e9;
-    for (const Vec2d p : engine.positions()) lowest = std::min(lowest, p.y);
-    BOOST_TEST(std::abs(lowest) < 1e-4);
-}
-
-BOOST_AUTO_TEST_CASE(a_body_slides_on_a_slope_steeper_than_its_friction_and_rests_on_one_less_steep) {
-    // tan α = 0.7 and 0.9 about μ = 0.8; stiff and low, so that it does not roll.
-    for (const double steepness : {0.7, 0.9}) {
-        Environment environment = land();
-        environment.ground = {{-1000, -1000 * steepness}, {1000, 1000 * steepness}};
-        Body body = lattice(8, 2);
-        const double c = 1 / std::sqrt(1 + steepness * steepness), s = steepness * c;
-        for (Vec2d &p : body.positions) p = {c * p.x - s * p.y, s * p.x + c * p.y};
-        const auto model = embody(body, environment, Parameters{});
-        NativeEngine engine;
-        engine.load(model, environment);
-        for (int t = 0; t < 2000; ++t) engine.step(model.rest_lengths, 0);
-        const double slid = -centre_of_mass(engine.positions()).x;
-        BOOST_TEST((steepness < 0.8 ? slid < 0.3 : slid > 3), "slid by " << slid);
-    }
-}
-
 BOOST_AUTO_TEST_CASE(a_current_carries_a_body_along) {
     Environment environment = water();
     environment.flow = {2, 0};
@@ -198,7 +167,7 @@ BOOST_AUTO_TEST_CASE(a_current_carries_a_body_along) {
 BOOST_AUTO_TEST_CASE(listed_contacts_are_those_of_a_search_over_all_pairs_to_the_bit) {
     // A hook whose ends are forced together; a skin larger than the body lists every pair.
     const auto model = embody(hook(), water(), Parameters{});
-    SelfContact listed, exhaustive(1000);
+    SelfContact<float> listed, exhaustive(1000);
     listed.load(model), exhaustive.load(model);
     int hits = 0;
     for (int t = 0; t < 400; ++t) {
@@ -220,7 +189,7 @@ BOOST_AUTO_TEST_CASE(listed_contacts_are_those_of_a_search_over_all_pairs_to_the
 
 BOOST_AUTO_TEST_CASE(contact_forces_are_internal) {
     const auto model = embody(hook(), water(), Parameters{});
-    SelfContact contact;
+    SelfContact<float> contact;
     contact.load(model);
     std::vector<Vec2f> x, forces(model.positions.size());
     for (const Vec2d p : model.positions)

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The independent witness: the same soft body in the Bullet Physics Library, as the paper did it (§2.5).
+// Nodes are rigid spheres of mass 1 confined to the plane, moved by Bullet's own integrator, ground contact
+// and friction; the forces between them are planula's laws in double precision. Repeats bit for bit on one
+// machine; Bullet is not built under the compiler contract, so it stays out of signatures.
+#pragma once
+
+#include "physics/engine.h"
+
+#include <memory>
+
+namespace planula {
+
+class BulletEngine : public Engine {
+  public:
+    BulletEngine();
+    ~BulletEngine() override;
+
+    void load(const SoftBodyModel &model, const Environment &environment) override;
+    Motion step(std::span<const double> rest_lengths, double damping) override;
+    std::vector<Vec2d> positions() const override;
+    std::vector<Vec2d> velocities() const override;
+
+  private:
+    class World;
+    std::unique_ptr<World> world_;
+};
+
+} // namespace planula

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "physics/forces.h"
+
+#include "physics/laws/drag.h"
+#include "physics/laws/pressure.h"
+#include "physics/laws/spring.h"
+
+#include <algorithm>
+
+namespace planula {
+
+template <class T> void Forces<T>::load(const SoftBodyModel &model, const Environment &environment) {
+    model_ = &model, environment_ = &environment;
+
+    // Small triangles get the stiffness of area_floor.
+    area_.clear(), pressure_stiffness_.clear();
+    for (const double area : model.areas) {
+        area_.push_back(static_cast<T>(area));
+        pressure_stiffness_.push_back(static_cast<T>(model.parameters.pressure_stiffness /
+                                                     std::max(area, model.parameters.area_floor)));
+    }
+    contact_.load(model);
+}
+
+template <class T>
+void Forces<T>::compute(std::span<const double> rest_lengths, std::span<const Vec2<T>> position,
+                        std::span<const Vec2<T>> velocity, std::span<Vec2<T>> forces) {
+    std::fill(forces.begin(), forces.end(), Vec2<T>{});
+    add_springs(rest_lengths, position, velocity, forces);
+    add_pressure(position, forces);
+    add_drag(position, velocity, forces);
+    add_contact(position, forces);
+}
+
+template <class T>
+void Forces<T>::add_springs(std::span<const double> rest_lengths, std::span<const Vec2<T>> position,
+                            std::span<const Vec2<T>> velocity, std::span<Vec2<T>> forces) const {
+    const auto stiffness = static_cast<T>(model_->parameters.spring_stiffness);
+    const auto damping = static_cast<T>(model_->parameters.spring_damping);
+    for (std::size_t i = 0; i < model_->links.size(); ++i) {
+        const auto [a, b] = model_->links[i];
+        const Vec2<T> force = spring_force(position[b] - position[a], velocity[b] - velocity[a],
+                                           static_cast<T>(rest_lengths[i]), stiffness, damping);
+        forces[a] += force;
+        forces[b] -= force;
+    }
+}
+
+template <class T>
+void Forces<T>::add_pressure(std::span<const Vec2<T>> position, std::span<Vec2<T>> forces) const {
+    for (std::size_t i = 0; i < model_->triangles.size(); ++i) {
+        const auto [a, b, c] = model_->triangles[i];
+        const auto push =
+            pressure_forces(position[a], position[b], position[c], area_[i], pressure_stiffness_[i]);
+        forces[a] += push.a;
+        forces[b] += push.b;
+        forces[c] += push.c;
+    }
+}
+
+template <class T>
+void Forces<T>::add_drag(std::span<const Vec2<T>> position, std::span<const Vec2<T>> velocity,
+                         std::span<Vec2<T>> forces) const {
+    if (!environment_->has_fluid()) return;
+    const auto normal = static_cast<T>(environment_->drag_normal);
+    const auto tangential = static_cast<T>(environment_->drag_tangential);
+    const Vec2<T> flow{static_cast<T>(environment_->flow.x), static_cast<T>(environment_->flow.y)};
+    for (const OutlineLink &link : model_->outline) {
+        const Vec2<T> through = (velocity[link.a] + velocity[link.b]) * T(0.5) - flow;
+        const Vec2<T> half =
+            drag_force(position[link.b] - position[link.a], through, normal, tangential) * T(0.5);
+        forces[link.a] += half;
+        forces[link.b] += half;
+    }
+}
+
+template <class T> void Forces<T>::add_contact(std::span<const Vec2<T>> position, std::span<Vec2<T>> forces) {
+    contact_.add_forces(position, forces);
+}
+
+template class Forces<float>;
+template class Forces<double>;
+
+} // namespace planula
