@@ -63,7 +63,7 @@ smoke: ## the whole way from evolution to article on a tiny design, in build/smo
 evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; interrupt and go on at will
 	@$(PLANULA) run $(EXPERIMENT) $(DESIGN) --out $(RUNS)
 
-data: program ## reduce the runs to the tables in build/data
+data: program ## reduce the runs to the tables in build/data, every champion witnessed
 	@$(MAKE) $(OUT)/data/manifest.csv
 
 frames: program ## live the best individual of each setting again and write its frames
@@ -137,13 +137,16 @@ $(OUT)/design: always
 	@echo '$(EXPERIMENT) $(DESIGN)' | cmp -s - $@ || echo '$(EXPERIMENT) $(DESIGN)' > $@
 
 TABLES = manifest settings runs curves endpoints endpoint_paths archives fitness_shares entropy outcomes claims best_genomes columns parameters
+WITNESS = witness engines
 $(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manifest.csv)
 	@echo 'data: reducing …'
 	@rm -rf $(OUT)/data.new
 	@$(PLANULA) reduce $(EXPERIMENT) $(DESIGN) --runs $(RUNS) --out $(OUT)/data.new > /dev/null
+	@echo 'data: living every champion again, at half the time step and in Bullet …'
+	@$(PLANULA) witness $(EXPERIMENT) $(DESIGN) --runs $(RUNS) --out $(OUT)/data.new > /dev/null
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 	@touch $@
-$(TABLES:%=$(OUT)/data/%.csv) &: $(OUT)/reduced ;
+$(TABLES:%=$(OUT)/data/%.csv) $(WITNESS:%=$(OUT)/data/%.csv) &: $(OUT)/reduced ;
 
 FRAME_TABLES = frames frame_cells frame_links morphologies
 $(OUT)/framed: $(PLANULA) $(SCRIPTS) $(DATA)/best_genomes.csv
@@ -183,8 +186,10 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 	@mkdir -p $(FIGURES)/$*
 	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
 
-# The article: twice, for its references. The folder of the data is handed to TeX as two macros.
+# The article: twice, for its references. The folder of the data is handed to TeX as two macros. It does without the
+# tables of the witness where tracked data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
-$(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv
+$(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
+    $(wildcard $(WITNESS:%=$(DATA)/%.csv))
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)

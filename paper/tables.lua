@@ -91,6 +91,8 @@ function tables.open(data_folder, frames_folder)
   for _, name in ipairs { 'settings', 'runs', 'curves', 'entropy', 'outcomes', 'claims', 'parameters' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
+  -- Champions are witnessed in data of their own making; tracked data may be without.
+  if lfs.isfile(data_folder .. '/engines.csv') then data.engines = csv.read(data_folder .. '/engines.csv') end
   data.parameter = {}
   for _, row in ipairs(data.parameters) do data.parameter[row.name] = row end
   for _, row in ipairs(csv.read(frames_folder .. '/morphologies.csv')) do frames[row.setting] = row end
@@ -145,6 +147,29 @@ end
 function tables.verdicts(verdict) return tostring(#csv.where(data.claims, { verdict = verdict })) end
 function tables.claims_judged() return tostring(#data.claims) end
 
+-- A part of the article that the tables of the witness carry; nothing without them.
+function tables.input_if_witnessed(file)
+  if data.engines and #data.engines > 0 then tex.print('\\input{' .. file .. '}') end
+end
+
+-- A count of all settings' champions: champions or flagged.
+function tables.witnessed(column)
+  local count = 0
+  for _, row in ipairs(data.engines) do count = count + tonumber(row[column]) end
+  return show(count)
+end
+
+-- The lowest and the highest rank correlation of a setting; settings with too few champions have none.
+function tables.rank_correlations()
+  local low, high
+  for _, row in ipairs(data.engines) do
+    local rho = tonumber(row.rank_correlation)
+    if rho then low, high = math.min(low or rho, rho), math.max(high or rho, rho) end
+  end
+  if not low then return 'not known, as no setting has champions enough' end
+  return low == high and show(low) or ('between %s and %s'):format(show(low), show(high))
+end
+
 -- The number of parameters with a given origin; 'paper' stands for its sections, equations and figures.
 function tables.parameters_from(origin)
   local count = 0
@@ -181,6 +206,23 @@ function tables.print_settings()
       show(setting.population), show(best.best_fitness), show(median(fitness)), show(best.best_generation),
       show(best.best_cells), show(best.elongation) }, ' & ') .. ' \\\\'
     if number % 2 == 0 and number < #data.settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
+  end
+  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
+  tex.print(lines)
+end
+
+-- The champions of each setting in other hands: changes in per cent.
+function tables.print_engines()
+  local lines = { '\\begin{tabular}{lrrrrrrr}', '\\toprule',
+    ' & & \\multicolumn{2}{c}{half the step} & & \\multicolumn{2}{c}{Bullet} & rank \\\\',
+    '\\cmidrule(lr){3-4}\\cmidrule(lr){6-7}',
+    'setting & champions & median & largest & flagged & median & largest & correlation \\\\', '\\midrule' }
+  local function percent(text) return tonumber(text) and ('%.1f'):format(100 * tonumber(text)) or '--' end
+  for number, row in ipairs(data.engines) do
+    lines[#lines + 1] = table.concat({ short(row.setting), show(row.champions), percent(row.half_change_median),
+      percent(row.half_change_largest), show(row.flagged), percent(row.bullet_change_median), percent(row.bullet_change_largest),
+      tonumber(row.rank_correlation) and ('$%.2f$'):format(tonumber(row.rank_correlation)) or '--' }, ' & ') .. ' \\\\'
+    if number % 2 == 0 and number < #data.engines then lines[#lines + 1] = '\\addlinespace[2pt]' end
   end
   lines[#lines + 1] = '\\bottomrule\\end{tabular}'
   tex.print(lines)

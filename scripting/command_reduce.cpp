@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis.h"
+#include "analysis/witness.h"
 #include "base/text.h"
 #include "record/run_writer.h"
 #include "scripting/commands.h"
@@ -10,10 +11,12 @@ namespace planula {
 
 namespace {
 
+constexpr Option seeds_warning_option{"seeds", "A:B|N", "warn of each run of these seeds that is not there"};
+
 constexpr Option reduce_options[] = {
     {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
     {"out", "DIR", "where the tables go (default: build/data)"},
-    {"seeds", "A:B|N", "warn of each run of these seeds that is not there"},
+    seeds_warning_option,
     generations_option,
     population_option,
     set_option,
@@ -23,6 +26,16 @@ constexpr Option frames_options[] = {
     {"data", "DIR", "where best_genomes.csv is (default: build/data)"},
     {"out", "DIR", "where the frame tables go (default: build/frames)"},
     set_option,
+};
+
+constexpr Option witness_options[] = {
+    {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
+    {"out", "DIR", "where the tables go (default: build/data)"},
+    seeds_warning_option,
+    generations_option,
+    population_option,
+    set_option,
+    threads_option,
 };
 
 void warn_of_missing(const Experiment &experiment, const std::vector<std::uint64_t> &seeds,
@@ -37,13 +50,27 @@ void warn_of_missing(const Experiment &experiment, const std::vector<std::uint64
     }
 }
 
+/// Where the runs are that a command looks for; the missing ones are told if the command line names seeds.
+std::string runs_to_read(const Arguments &arguments, const Experiment &experiment, std::ostream &err) {
+    const std::string runs = runs_folder(arguments, "runs", experiment);
+    if (arguments.has("seeds")) warn_of_missing(experiment, seeds_of(arguments, experiment), runs, err);
+    return runs;
+}
+
 int reduce_runs(const Arguments &arguments, Console &console) {
     const Experiment experiment = experiment_of(arguments, console);
-    const std::string runs = runs_folder(arguments, "runs", experiment);
+    const std::string runs = runs_to_read(arguments, experiment, console.err);
     const std::string out = arguments.text("out", "build/data");
-    if (arguments.has("seeds"))
-        warn_of_missing(experiment, seeds_of(arguments, experiment), runs, console.err);
     reduce(experiment.analysis, experiment.settings, runs, out);
+    console.out << out << '\n';
+    return 0;
+}
+
+int call_witness(const Arguments &arguments, Console &console) {
+    const Experiment experiment = experiment_of(arguments, console);
+    const std::string runs = runs_to_read(arguments, experiment, console.err);
+    const std::string out = arguments.text("out", "build/data");
+    witness(experiment.settings, runs, out, threads_of(arguments));
     console.out << out << '\n';
     return 0;
 }
@@ -80,6 +107,21 @@ const Command &frames_command() {
                                  "recorded there.",
                                  frames_options,
                                  make_frames};
+    return command;
+}
+
+const Command &witness_command() {
+    static const Command command{
+        "witness",
+        "FILE.lua",
+        "lives the champion of every run again at half the time step and in Bullet",
+        "Reads all complete runs of the experiment below --runs and writes witness.csv, a row for each "
+        "champion, and\n"
+        "engines.csv, a row for each setting. A champion whose distance changes by more than the parameter\n"
+        "exploit_bound at half the step is flagged as an integration exploit; one that does not live as "
+        "recorded is refused.",
+        witness_options,
+        call_witness};
     return command;
 }
 

@@ -94,7 +94,14 @@ void read_generations(const RecordedRun &run, int generations, std::vector<int> 
     }
 }
 
-/// The champions of the run, each with a later generation than the one before; the first is of generation 0.
+const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations) {
+    const auto later = std::find_if(champions.begin(), champions.end(),
+                                    [&](const ChampionRow &row) { return row.generation >= generations; });
+    return *(later - 1);
+}
+
+} // namespace
+
 std::vector<ChampionRow> read_champions(const RecordedRun &run) {
     TableReader<ChampionRow> reader(run.folder);
     std::vector<ChampionRow> champions;
@@ -108,14 +115,6 @@ std::vector<ChampionRow> read_champions(const RecordedRun &run) {
     if (champions.empty()) reader.refuse("there is no champion");
     return champions;
 }
-
-const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations) {
-    const auto later = std::find_if(champions.begin(), champions.end(),
-                                    [&](const ChampionRow &row) { return row.generation >= generations; });
-    return *(later - 1);
-}
-
-} // namespace
 
 RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes) {
     CHECK(!marks.empty() && marks.front() >= 1 && marks.back() <= run.generations, run.seed);

@@ -36,6 +36,10 @@ struct RunHistory {
     std::vector<double> fitness_shares; // of the last generation, by classes of fitness over the champion's
 };
 
+/// The champions of the run, each with a later generation than the one before; the first is of generation 0.
+/// Throws InputError with file and line if they are not that.
+std::vector<ChampionRow> read_champions(const RecordedRun &run);
+
 /// Reads a run up to the last of the marks, which ascend from at least 1 to at most the run's generations.
 /// `after` has an entry for each mark. Throws InputError with file and line if the tables are not those of a
 /// run.

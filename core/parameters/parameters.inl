@@ -123,6 +123,7 @@ PARAMETER(double, archive_lower, 0.9, 0, 1, "1", "§2.7.2", "factor by which the
 SECTION("Statistics")
 PARAMETER(double, confidence, 0.95, 0.01, 0.9999, "1", "Fig. 6", "coverage of bootstrap intervals")
 PARAMETER(int, bootstrap_resamples, 10000, 100, 10000000, "resamples", "ours", "resamples of a bootstrap interval")
+PARAMETER(double, exploit_bound, 0.10, 0, 1, "1", "ours", "relative change of displacement at half the time step above which a champion is flagged as an integration exploit")
 
 #undef SECTION
 #undef PARAMETER

@@ -232,6 +232,37 @@ COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: we
 COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
 END_TABLE
 
+TABLE(WitnessRow, "witness.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of the run whose champion, its best individual, is lived again; a run without a viable one has no row")
+COLUMN(double, fitness, "cell", "the champion's fitness, Eq. 4")
+COLUMN(int, cells, "cells", "its cells at the end of development")
+COLUMN(double, elongation, "1", "its length over width by its principal axes; 0 without width")
+COLUMN(double, displacement, "cell", "distance from rest to end in the native engine")
+COLUMN(int, settle_steps, "step", "steps until the body came to rest in the native engine; 0 in water")
+COLUMN(Maybe, rest_height, "cell", "height of the centre of mass at rest in the native engine; empty if that life is not viable")
+COLUMN(std::string, half_outcome, "", "how its life ends in the native engine at half the time step")
+COLUMN(double, half_displacement, "cell", "distance at half the time step; 0 unless viable")
+COLUMN(double, half_change, "1", "difference of half_displacement from displacement, over the larger of displacement and one cell diameter")
+COLUMN(std::string, bullet_outcome, "", "how its life ends in Bullet")
+COLUMN(double, bullet_displacement, "cell", "distance in Bullet; 0 unless viable")
+COLUMN(double, bullet_change, "1", "difference of bullet_displacement from displacement, over the larger of displacement and one cell diameter")
+COLUMN(int, bullet_settle_steps, "step", "steps until the body came to rest in Bullet; 0 in water")
+COLUMN(Maybe, bullet_rest_height, "cell", "height of the centre of mass at rest in Bullet; empty if that life is not viable")
+COLUMN(std::string, flag, "", "integration exploit: half_change above exploit_bound, or not viable at half the time step; else empty")
+END_TABLE
+
+TABLE(EngineRow, "engines.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, champions, "runs", "champions lived again, one of each run that has a viable one")
+COLUMN(Maybe, rank_correlation, "1", "Spearman's rank correlation of their displacements in the native engine and in Bullet; empty with fewer than 3")
+COLUMN(Maybe, half_change_median, "1", "median of half_change in witness.csv")
+COLUMN(Maybe, half_change_largest, "1", "largest half_change")
+COLUMN(Maybe, bullet_change_median, "1", "median of bullet_change")
+COLUMN(Maybe, bullet_change_largest, "1", "largest bullet_change")
+COLUMN(int, flagged, "runs", "champions with a flag")
+END_TABLE
+
 TABLE(ColumnRow, "columns.csv")
 COLUMN(std::string, file, "", "name of a table")
 COLUMN(std::string, column, "", "name of a column")

@@ -2,50 +2,18 @@
 #include "statistics/rank_sum.h"
 
 #include "base/math.h"
+#include "statistics/ranks.h"
 #include "statistics/summary.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 namespace planula {
 
 namespace {
-
-/// Both samples together, sorted; each value remembers its sample.
-struct Ranked {
-    double value;
-    bool of_a;
-};
-
-std::vector<Ranked> pool(std::span<const double> a, std::span<const double> b) {
-    std::vector<Ranked> pooled;
-    for (const double value : a) pooled.push_back({value, true});
-    for (const double value : b) pooled.push_back({value, false});
-    std::sort(pooled.begin(), pooled.end(),
-              [](const Ranked &x, const Ranked &y) { return x.value < y.value; });
-    return pooled;
-}
-
-struct Ranks {
-    double sum_of_a = 0;  // equal values share their mean rank
-    double tie_cubes = 0; // Σ t³ − t over groups of t equal values
-};
-
-Ranks rank(const std::vector<Ranked> &pooled) {
-    Ranks ranks;
-    for (std::size_t first = 0; first < pooled.size();) {
-        std::size_t next = first;
-        double of_a = 0;
-        for (; next < pooled.size() && pooled[next].value == pooled[first].value; ++next)
-            of_a += pooled[next].of_a;
-        ranks.sum_of_a += of_a * (static_cast<double>(first + 1 + next) / 2);
-        const double tied = static_cast<double>(next - first);
-        ranks.tie_cubes += tied * tied * tied - tied;
-        first = next;
-    }
-    return ranks;
-}
 
 /// P(U = u) for u = 0 … m·n without ties. The largest value of all belongs to the first sample with
 /// probability m/(m + n), and then exceeds all n of the second: no term is ever subtracted.
@@ -83,16 +51,20 @@ double normal_p(double statistic, double m, double n, double tie_cubes) {
 RankSum rank_sum(std::span<const double> a, std::span<const double> b, RankSumMethod method) {
     check_sample(a);
     check_sample(b);
-    const Ranks ranks = rank(pool(a, b));
+    std::vector<double> pooled(a.begin(), a.end());
+    pooled.insert(pooled.end(), b.begin(), b.end());
+    const Ranks pooled_ranks = ranks(pooled);
     const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
-    const double statistic = ranks.sum_of_a - m * (m + 1) / 2;
+    const double sum_of_a =
+        std::accumulate(pooled_ranks.of.begin(), pooled_ranks.of.begin() + std::ssize(a), 0.0);
+    const double statistic = sum_of_a - m * (m + 1) / 2;
 
     constexpr std::size_t exact_below = 50; // as R's wilcox.test
     const bool small = a.size() < exact_below && b.size() < exact_below;
     const bool wanted = method == RankSumMethod::exact || (method == RankSumMethod::automatic && small);
-    const bool exact = wanted && ranks.tie_cubes == 0;
+    const bool exact = wanted && pooled_ranks.tie_cubes == 0;
     const double p =
-        exact ? exact_p(statistic, a.size(), b.size()) : normal_p(statistic, m, n, ranks.tie_cubes);
+        exact ? exact_p(statistic, a.size(), b.size()) : normal_p(statistic, m, n, pooled_ranks.tie_cubes);
     return {statistic, p, exact};
 }
 

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
 
 BOOST_AUTO_TEST_CASE(a_bad_script_ends_with_65) {
     const Workplace place("return { name = 5 }");
-    for (const char *command : {"check", "run", "describe", "reduce", "frames"}) {
+    for (const char *command : {"check", "run", "describe", "reduce", "frames", "witness"}) {
         const Said said = planula_says({command, place.script()});
         BOOST_TEST(said.code == 65, command);
         BOOST_TEST(test::contains(said.err, "small.lua:1: name must be a text, not a number"), said.err);
@@ -153,6 +153,29 @@ BOOST_AUTO_TEST_CASE(threads_and_the_folder_of_the_script_change_no_byte) {
         BOOST_TEST(!bytes.empty(), file);
         BOOST_TEST(bytes == content(fs::path(other) / "small/seed-001" / file), file);
     }
+}
+
+BOOST_AUTO_TEST_CASE(witness_has_a_row_for_each_run_and_one_for_their_setting) {
+    const Workplace place(
+        "local paper = require 'paper'\n"
+        "return paper.experiment { name = 'small', parameters = { population = 30, generations = 1 } }\n");
+    planula_says({"run", place.script(), "--seeds", "1:2", "--out", place.runs()});
+    const std::string data = place.path / "data";
+    const Said said = planula_says({"witness", place.script(), "--runs", place.runs(), "--out", data,
+                                    "--seeds", "2:3", "--threads", "2"});
+    BOOST_TEST(said.code == 0, said.err);
+    BOOST_TEST(said.out == data + '\n');
+    BOOST_TEST(test::contains(said.err, "seed-003: no complete run of this experiment"), said.err);
+    BOOST_TEST(!test::contains(said.err, "seed-002"), said.err);
+    const std::string champions = content(fs::path(data) / "witness.csv");
+    BOOST_TEST(std::count(champions.begin(), champions.end(), '\n') == 3);
+    BOOST_TEST(test::contains(champions, "\nsmall,1,"));
+    BOOST_TEST(test::contains(content(fs::path(data) / "engines.csv"), "\nsmall,2,,"));
+    // Softer springs, other lives: the runs are not of such an experiment.
+    const Said other = planula_says(
+        {"witness", place.script(), "--runs", place.runs(), "--out", data, "--set", "spring_stiffness=50"});
+    BOOST_TEST(other.code == 65);
+    BOOST_TEST(test::contains(other.err, "the data are of another experiment or version"), other.err);
 }
 
 BOOST_AUTO_TEST_CASE(invalid_individuals_are_reported_at_the_end_of_a_run) {

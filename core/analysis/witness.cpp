@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/witness.h"
+
+#include "analysis/relive.h"
+#include "analysis/survey.h"
+#include "base/parallel.h"
+#include "record/csv.h"
+#include "statistics/rank_correlation.h"
+#include "statistics/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace planula {
+
+namespace {
+
+constexpr std::size_t fewest_correlated = 3;
+
+double change(const Spec &spec, double from, double to) {
+    return std::abs(to - from) / std::max(from, 2 * spec.parameters.cell_radius);
+}
+
+Maybe height(const Life &life) { return life.outcome == Outcome::viable ? Maybe(life.rest.y) : std::nullopt; }
+
+/// The row of a run; none if its champion is not viable.
+std::optional<WitnessRow> examine(const Spec &spec, const RecordedRun &run) {
+    verify(run);
+    const ChampionRow champion = read_champions(run).back();
+    const Recorded recorded{run.folder / ChampionRow::file_name, read_best_genome(run), champion.fitness,
+                            champion.displacement, champion.cells};
+    const Life own = relive(recorded, spec);
+    if (own.outcome != Outcome::viable) return std::nullopt;
+
+    // What the setting itself lives in is lived already.
+    Conditions native = spec, bullet = spec;
+    native.engine = "native", bullet.engine = "bullet";
+    Conditions half = native;
+    half.refinement *= 2;
+    return witness_row(
+        spec, champion, run.seed, spec.engine == native.engine ? own : live(recorded.genome, native),
+        live(recorded.genome, half), spec.engine == bullet.engine ? own : live(recorded.genome, bullet));
+}
+
+/// One column of the champions' rows.
+std::vector<double> column(std::span<const WitnessRow> rows, double WitnessRow::*member) {
+    std::vector<double> values;
+    for (const WitnessRow &row : rows) values.push_back(row.*member);
+    return values;
+}
+
+} // namespace
+
+WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed, const Life &native,
+                       const Life &half, const Life &bullet) {
+    const double moved = native.displacement();
+    WitnessRow row{.setting = spec.name,
+                   .seed = seed,
+                   .fitness = champion.fitness,
+                   .cells = champion.cells,
+                   .elongation = champion.elongation,
+                   .displacement = moved,
+                   .settle_steps = native.settle_steps,
+                   .rest_height = height(native),
+                   .half_outcome = name_of(half.outcome),
+                   .half_displacement = half.displacement(),
+                   .half_change = change(spec, moved, half.displacement()),
+                   .bullet_outcome = name_of(bullet.outcome),
+                   .bullet_displacement = bullet.displacement(),
+                   .bullet_change = change(spec, moved, bullet.displacement()),
+                   .bullet_settle_steps = bullet.settle_steps,
+                   .bullet_rest_height = height(bullet),
+                   .flag = ""};
+    if (row.half_change > spec.parameters.exploit_bound || half.outcome != Outcome::viable)
+        row.flag = "integration exploit";
+    return row;
+}
+
+EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions) {
+    EngineRow row{.setting = spec.name, .champions = static_cast<int>(champions.size())};
+    if (champions.empty()) return row;
+    if (champions.size() >= fewest_correlated)
+        row.rank_correlation = rank_correlation(column(champions, &WitnessRow::displacement),
+                                                column(champions, &WitnessRow::bullet_displacement));
+    const std::vector<double> half = column(champions, &WitnessRow::half_change);
+    const std::vector<double> bullet = column(champions, &WitnessRow::bullet_change);
+    row.half_change_median = median(half);
+    row.half_change_largest = *std::max_element(half.begin(), half.end());
+    row.bullet_change_median = median(bullet);
+    row.bullet_change_largest = *std::max_element(bullet.begin(), bullet.end());
+    row.flagged = static_cast<int>(std::count_if(champions.begin(), champions.end(),
+                                                 [](const WitnessRow &r) { return !r.flag.empty(); }));
+    return row;
+}
+
+void witness(std::span<const Spec> settings, const std::filesystem::path &runs,
+             const std::filesystem::path &out, int threads) {
+    struct Task {
+        const Spec *spec;
+        const RecordedRun *run;
+    };
+    const std::vector<SettingRuns> found = survey(settings, runs);
+    std::vector<Task> tasks;
+    for (const SettingRuns &setting : found)
+        for (const RecordedRun &run : setting.runs) tasks.push_back({setting.spec, &run});
+
+    std::vector<std::optional<WitnessRow>> rows(tasks.size());
+    parallel_for(static_cast<int>(tasks.size()), threads,
+                 [&](int i) { rows[i] = examine(*tasks[i].spec, *tasks[i].run); });
+
+    // The rows are in the order of settings and seeds, whichever thread made them.
+    make_folder(out);
+    TableWriter<WitnessRow> champions(out);
+    TableWriter<EngineRow> engines(out);
+    auto next = rows.begin();
+    for (const SettingRuns &setting : found) {
+        std::vector<WitnessRow> of_setting;
+        for (std::size_t run = 0; run < setting.runs.size(); ++run, ++next)
+            if (*next) of_setting.push_back(**next), champions.write(**next);
+        if (!setting.runs.empty()) engines.write(engine_row(*setting.spec, of_setting));
+    }
+    champions.commit();
+    engines.commit();
+}
+
+} // namespace planula

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Spearman's rank correlation: whether two engines put the same champions in the same order, with the
+// conventions of R's cor(method = "spearman").
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace planula {
+
+/// Spearman's rho of the pairs (a[i], b[i]): Pearson's correlation of their ranks, equal values sharing the
+/// mean rank. Two samples of equal size (statistics/summary.h); none if all values of either are equal, as
+/// those of a single pair are.
+std::optional<double> rank_correlation(std::span<const double> a, std::span<const double> b);
+
+} // namespace planula

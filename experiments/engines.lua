@@ -1,0 +1,11 @@
+-- SPDX-License-Identifier: MIT
+-- The paper's experiment with another engine: the same bodies, forces and searches, moved by Bullet and its
+-- contacts. `planula witness` lives its champions in the native engine too.
+local replication = require "paper.replication"
+
+local settings = {}
+for index, setting in ipairs(replication.settings) do
+  settings[index] = planula.change(setting, { engine = "bullet" })
+end
+
+return planula.fill({ name = "engines", title = "The paper's settings in Bullet", settings = settings }, replication)

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/witness.h"
+
+#include "base/error.h"
+#include "core/record/fake_run.h"
+#include "experiment/run.h"
+#include "record/csv.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace planula;
+namespace tt = boost::test_tools;
+
+namespace {
+
+const ChampionRow champion{.fitness = 21, .cells = 12, .displacement = 20, .elongation = 3};
+
+/// A life that moved so far to the right; its centre of mass at rest is 0.5 high.
+Life moved(double distance, Outcome outcome = Outcome::viable) {
+    return life_of(FakeLife{.moved = {distance, 0}, .outcome = outcome}, Parameters{});
+}
+
+WitnessRow row_of(const Life &native, const Life &half, const Life &bullet) {
+    return witness_row(fake_spec("water", 1, 1), champion, 7, native, half, bullet);
+}
+
+Spec swimmers() {
+    Spec spec = fake_spec("water", 1, 24);
+    spec.parameters.locomotion_steps = 800;
+    spec.actuation_range = 0.2;
+    spec.environment.drag_normal = 1;
+    spec.environment.drag_tangential = 0.1;
+    spec.judge = [](const Life &life) {
+        const bool viable = life.outcome == Outcome::viable;
+        return Evaluation{viable ? life.displacement() : 0, {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
+    };
+    return spec;
+}
+
+/// Real runs of seeds 1 … 3, evolved under these settings' own engine.
+void evolve(const Spec &spec, const std::filesystem::path &runs) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        RunWriter writer(run_folder(runs, spec.name, seed), spec, seed, fake_identity());
+        run(spec, seed, 2, [&](const Generation &g) { writer.observe(g); });
+        writer.finish();
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(change_is_relative_to_the_way_and_to_one_cell_for_those_that_hardly_move) {
+    const WitnessRow far = row_of(moved(20), moved(19), moved(26));
+    BOOST_TEST(far.half_change == 0.05, tt::tolerance(1e-12));
+    BOOST_TEST(far.bullet_change == 0.3, tt::tolerance(1e-12));
+    BOOST_TEST(row_of(moved(0.01), moved(0.05), moved(0)).half_change == 0.04, tt::tolerance(1e-12));
+    BOOST_TEST(row_of(moved(0), moved(0), moved(0)).bullet_change == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_champion_that_the_time_step_made_is_flagged) {
+    const std::string flag = "integration exploit";
+    BOOST_TEST(row_of(moved(20), moved(18.01), moved(0)).flag == "");
+    BOOST_TEST(row_of(moved(20), moved(17.99), moved(20)).flag == flag);
+    BOOST_TEST(row_of(moved(20), moved(22.01), moved(20)).flag == flag);
+    const WitnessRow burst = row_of(moved(0.01), moved(0, Outcome::exploded), moved(20));
+    BOOST_TEST(burst.flag == flag);
+    BOOST_TEST(burst.half_outcome == "exploded");
+}
+
+BOOST_AUTO_TEST_CASE(a_life_that_is_not_viable_has_lost_all_the_way_and_has_no_place) {
+    const WitnessRow row = row_of(moved(20), moved(20), moved(20, Outcome::never_settled));
+    BOOST_TEST(row.bullet_outcome == "never_settled");
+    BOOST_TEST(row.bullet_displacement == 0);
+    BOOST_TEST(row.bullet_change == 1);
+    BOOST_TEST(!row.bullet_rest_height.has_value());
+    BOOST_TEST(row.rest_height.value() == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(a_setting_is_summed_up_and_correlated_from_three_champions_on) {
+    std::vector<WitnessRow> rows{row_of(moved(10), moved(10), moved(30)),
+                                 row_of(moved(20), moved(21), moved(20))};
+    const Spec spec = fake_spec("water", 1, 1);
+    BOOST_TEST(!engine_row(spec, rows).rank_correlation.has_value());
+    rows.push_back(row_of(moved(40), moved(20), moved(10)));
+    const EngineRow row = engine_row(spec, rows);
+    BOOST_TEST(row.champions == 3);
+    BOOST_TEST(row.rank_correlation.value() == -1);
+    BOOST_TEST(row.half_change_median.value() == 0.05, tt::tolerance(1e-12));
+    BOOST_TEST(row.half_change_largest.value() == 0.5);
+    BOOST_TEST(row.bullet_change_median.value() == 0.75);
+    BOOST_TEST(row.bullet_change_largest.value() == 2);
+    BOOST_TEST(row.flagged == 1);
+
+    const EngineRow nobody = engine_row(spec, {});
+    BOOST_TEST(nobody.champions == 0);
+    BOOST_TEST(!nobody.half_change_median.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(champions_are_witnessed_the_same_on_any_number_of_threads) {
+    const TemporaryFolder folder;
+    const std::vector<Spec> settings{swimmers(), fake_spec("land", 1, 24)};
+    evolve(settings[0], folder / "runs");
+    witness(settings, folder / "runs", folder / "one", 1);
+    witness(settings, folder / "runs", folder / "three", 3);
+    for (const char *table : {"witness.csv", "engines.csv"})
+        BOOST_TEST(read_bytes(folder.path() / "one" / table) == read_bytes(folder.path() / "three" / table),
+                   table);
+
+    const auto rows = read_table<WitnessRow>(folder / "one");
+    BOOST_REQUIRE(rows.size() == 3u);
+    for (const WitnessRow &row : rows) {
+        const auto champions = read_table<ChampionRow>(
+            run_folder(folder / "runs", "water", static_cast<std::uint64_t>(row.seed)));
+        BOOST_TEST(row.displacement == champions.back().displacement);
+        BOOST_TEST(row.half_outcome == "viable");
+        BOOST_TEST(row.half_displacement != row.displacement);
+        BOOST_TEST(row.bullet_displacement != row.displacement);
+    }
+    const auto engines = read_table<EngineRow>(folder / "one");
+    BOOST_REQUIRE(engines.size() == 1u);
+    BOOST_TEST(engines[0].setting == "water");
+    BOOST_TEST(engines[0].champions == 3);
+}
+
+BOOST_AUTO_TEST_CASE(a_champion_of_bullet_is_held_to_its_life_in_bullet) {
+    const TemporaryFolder folder;
+    std::vector<Spec> settings{swimmers()};
+    settings[0].engine = "bullet";
+    evolve(settings[0], folder / "runs");
+    witness(settings, folder / "runs", folder / "data", 2);
+    for (const WitnessRow &row : read_table<WitnessRow>(folder / "data"))
+        BOOST_TEST(row.bullet_displacement == row.fitness);
+    settings[0].engine = "native";
+    BOOST_CHECK_THROW(witness(settings, folder / "runs", folder / "data", 2), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_champion_that_does_not_live_as_recorded_is_refused) {
+    const TemporaryFolder folder;
+    const std::vector<Spec> settings{swimmers()};
+    write_fake_run(folder / "runs", settings[0], 1, [](int, int) { return FakeLife{.moved = {3, 4}}; });
+    const std::string said =
+        message_of<InputError>([&] { witness(settings, folder / "runs", folder / "data", 1); });
+    BOOST_TEST(contains(said, "champions.csv: the best individual of 'water' moved 5 cells with 10 cells"),
+               said);
+    BOOST_TEST(contains(said, "the data are of another experiment or version"), said);
+    BOOST_TEST(!std::filesystem::exists(folder / "data/engines.csv"));
+    BOOST_TEST(
+        contains(message_of<InputError>([&] { witness(settings, folder / "none", folder / "data", 1); }),
+                 "there is no complete run below"));
+}
