@@ -82,10 +82,11 @@ keep-data: ## copy build/data to data/, the tracked tables that `make paper` pre
 
 ##@ Building and checking
 build: deps build/CMakeCache.txt ## the program and all tests
+	@echo 'build: compiling the program and all tests, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) > build/build.log 2>&1 || { cat build/build.log; exit 1; }
 
 program: deps build/CMakeCache.txt ## the program alone: build/planula
-	@echo 'program: building …'
+	@echo 'program: compiling, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) --target planula > build/program.log 2>&1 || { cat build/program.log; exit 1; }
 
 signature: program ## one hash over all eight settings must be the one in tests/golden
@@ -94,8 +95,10 @@ signature: program ## one hash over all eight settings must be the one in tests/
 verify-signature: deps ## the same, with a second compiler or optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps ## the same, over compilers, optimisation levels, threads and a processor without AVX2 and FMA
+torture: deps build/CMakeCache.txt ## the same, over compilers, optimisation levels, threads and a processor without AVX2 and FMA; 10^5 hostile genomes
 	@bash tests/torture/signature.sh --all
+	@cmake --build build --parallel $(JOBS) --target random_genomes > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
+	@build/tests/random_genomes 200000
 
 lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
 	@failed=0; for check in layering sources format lint_test; do \

@@ -21,7 +21,7 @@ inline double normal(Stream &stream) {
 
 /// Every input linked to every output and to up to three hidden nodes, and these to the outputs; loops and
 /// links between all outputs in the GRN. Weights are normal; in half of the genomes one in fifty is ±1e300,
-/// infinite or no number.
+/// infinite or no number. In half of them a bias keeps the cells from dying at once.
 inline Genome hostile_genome(Actuation actuation, std::uint32_t number) {
     Stream stream(1, is_recurrent(actuation), number, Purpose::sampling);
     Genome genome = bare_genome(actuation);
@@ -42,6 +42,9 @@ inline Genome hostile_genome(Actuation actuation, std::uint32_t number) {
         for (int to = sources; to < first_hidden + hidden; ++to) add_link(genome, from, to, weight());
     for (int from = first_hidden; from < first_hidden + hidden; ++from)
         for (int to = sources; to < first_hidden; ++to) add_link(genome, from, to, weight());
+    if (stream.chance(0.5))
+        for (LinkGene &link : genome.links)
+            if (link.from == input::bias && link.to == sources + output::apoptosis) link.weight -= 3 * scale;
     if (!is_recurrent(actuation)) return genome;
     for (int from = sources; from < first_hidden + hidden; ++from)
         for (int to = sources; to < first_hidden; ++to)
@@ -52,14 +55,15 @@ inline Genome hostile_genome(Actuation actuation, std::uint32_t number) {
     return genome;
 }
 
-/// Both worlds and both actuations, with locomotion cut short.
-inline Conditions short_life(Actuation actuation, bool on_land) {
+/// One of the four combinations of actuation and world, with locomotion cut short.
+inline Conditions short_life(int combination) {
     Conditions c;
     Parameters &p = c.parameters;
-    c.actuation = actuation;
+    const bool on_land = combination % 2 == 1;
+    c.actuation = combination / 2 % 2 == 0 ? Actuation::oscillator : Actuation::grn;
     c.environment = on_land ? land() : water();
     c.actuation_range = on_land ? p.actuation_range_terrestrial : p.actuation_range_aquatic;
-    p.locomotion_steps = 200, p.ramp_steps = 50, p.settle_limit = 1500, p.settle_window = 50;
+    p.locomotion_steps = 200, p.ramp_steps = 50, p.settle_limit = 800, p.settle_window = 50;
     return c;
 }
 
