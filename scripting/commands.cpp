@@ -22,7 +22,7 @@ std::string help() {
         "& Arita (2015). Experiments are Lua files; start from one of experiments/variants/.\n\n"
         "usage: planula COMMAND [OPTION]...\n\ncommands:\n";
     for (const Command *command : all_commands())
-        text += "  " + std::string(command->name) + std::string(12 - command->name.size(), ' ') +
+        text += "  " + std::string(command->name) + std::string(13 - command->name.size(), ' ') +
                 std::string(command->summary) + "\n";
     return text +
            "\n  planula COMMAND --help   explains one of them\n"
@@ -69,9 +69,9 @@ std::uint64_t seed_of(const std::string &text) {
 } // namespace
 
 std::vector<const Command *> all_commands() {
-    return {&run_command(),       &check_command(),      &describe_command(),
-            &reduce_command(),    &frames_command(),     &witness_command(),
-            &signature_command(), &parameters_command(), &columns_command()};
+    return {&run_command(),        &check_command(),   &describe_command(),    &reduce_command(),
+            &frames_command(),     &witness_command(), &sensitivity_command(), &signature_command(),
+            &parameters_command(), &columns_command()};
 }
 
 int run_program(const std::vector<std::string> &words, Console &console) {
@@ -118,8 +118,10 @@ Overrides overrides_of(const Arguments &arguments) {
     return overrides;
 }
 
-Experiment experiment_of(const Arguments &arguments, const Console &console) {
-    return load_experiment(arguments.operands.at(0), console.library, overrides_of(arguments));
+Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes) {
+    Overrides overrides = overrides_of(arguments);
+    overrides.insert(overrides.end(), changes.begin(), changes.end());
+    return load_experiment(arguments.operands.at(0), console.library, overrides);
 }
 
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment) {

@@ -17,6 +17,7 @@ const Command &describe_command();
 const Command &reduce_command();
 const Command &frames_command();
 const Command &witness_command();
+const Command &sensitivity_command();
 const Command &signature_command();
 const Command &parameters_command();
 const Command &columns_command();
@@ -41,8 +42,8 @@ inline constexpr Option threads_option{"threads", "N",
 
 /// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
 Overrides overrides_of(const Arguments &arguments);
-/// Loads the experiment file that is the operand.
-Experiment experiment_of(const Arguments &arguments, const Console &console);
+/// Loads the experiment file that is the operand; `changes` come after those of the command line.
+Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes = {});
 /// --seeds A:B or N; without it 1 … the parameter `seeds`. Throws UsageError.
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
 /// --threads, or all of the machine.

@@ -21,8 +21,9 @@ constexpr std::string_view setting_keys[] = {"name",    "title",       "actuatio
                                              "penalty", "behaviour"};
 constexpr std::string_view experiment_keys[] = {"name",    "title",       "actuation",  "search",
                                                 "engine",  "environment", "parameters", "fitness",
-                                                "penalty", "behaviour",   "statistics"};
-constexpr std::string_view design_keys[] = {"name", "title", "parameters", "settings", "statistics"};
+                                                "penalty", "behaviour",   "statistics", "sensitivity"};
+constexpr std::string_view design_keys[] = {"name",     "title",      "parameters",
+                                            "settings", "statistics", "sensitivity"};
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
 constexpr std::string_view hook_names[] = {"fitness", "penalty", "behaviour"};
 
@@ -50,6 +51,8 @@ class Schema {
         if (!several && experiment_.title.empty() && !experiment_.settings.empty())
             experiment_.title = experiment_.settings.front().title;
         read_statistics_of(reader);
+        if (const Value *plan = reader.field("sensitivity", Value::Kind::table, false))
+            experiment_.sensitivity = read_sensitivity(*plan, reader.at("sensitivity"), problems_);
 
         // The functions can be tried out once everything that they are shown is right.
         problems_.raise();

@@ -6,11 +6,14 @@
 //   search            a name of make_search(): "neat", "novelty"
 //   engine            a name of make_engine(): "native" (if not given), "bullet"
 //   environment       {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y},
-//   actuation_range} parameters        {name = value}: departures from the standard values fitness, penalty,
-//   behaviour      functions (scripting/hooks.h) statistics        a table, or the name of a module that
-//   returns one (scripting/schema_statistics.h) settings          instead of actuation … behaviour: a list of
-//   tables with a name, a title and these keys;
-//                     `parameters` beside `settings` holds for all of them
+//                     actuation_range}
+//   parameters        {name = value}: departures from the standard values
+//   fitness, penalty, behaviour
+//                     functions (scripting/hooks.h)
+//   statistics        a table, or the name of a module that returns one (scripting/schema_statistics.h)
+//   sensitivity       a table (scripting/schema_sensitivity.h)
+//   settings          instead of actuation … behaviour: a list of tables with a name, a title and these
+//                     keys; `parameters` beside `settings` holds for all of them
 //
 // A number of an environment may be the name of a parameter, which then stands for its value. Every unknown
 // key, wrong kind and broken rule is reported, all together, each with its line and the nearest name.
@@ -20,6 +23,7 @@
 #include "experiment/spec.h"
 #include "record/run_writer.h"
 #include "scripting/hooks.h"
+#include "scripting/schema_sensitivity.h"
 #include "scripting/sources.h"
 
 #include <filesystem>
@@ -35,6 +39,7 @@ struct Experiment {
     std::vector<Spec> settings;
     std::vector<std::shared_ptr<Hooks>> hooks; // one per setting; its judge calls them
     Analysis analysis;
+    SensitivityPlan sensitivity;
     std::shared_ptr<Sources> sources;
     std::size_t code_sources = 0; // so many of `sources` decide results; the others only state statistics
 

@@ -18,11 +18,46 @@ namespace {
 
 constexpr std::size_t fewest_correlated = 3;
 
-double change(const Spec &spec, double from, double to) {
-    return std::abs(to - from) / std::max(from, 2 * spec.parameters.cell_radius);
+Maybe height(const Life &life) { return life.outcome == Outcome::viable ? Maybe(life.rest.y) : std::nullopt; }
+
+/// The champion's lives; `own`, under the setting as it is, is lived already.
+WitnessedLives lives_of(const Genome &genome, const Spec &spec, const Life &own) {
+    Conditions native = spec, bullet = spec;
+    native.engine = "native", bullet.engine = "bullet";
+    Conditions half = native, nudged = native;
+    half.refinement *= 2;
+    WitnessedLives lives{spec.engine == native.engine ? own : live(genome, native),
+                         live(genome, half),
+                         spec.engine == bullet.engine ? own : live(genome, bullet),
+                         {}};
+    for (int number = 0; number < spec.parameters.witness_nudges; ++number) {
+        nudged.nudge = {spec.parameters.witness_nudge, number};
+        lives.nudged.push_back(live(genome, nudged));
+    }
+    return lives;
 }
 
-Maybe height(const Life &life) { return life.outcome == Outcome::viable ? Maybe(life.rest.y) : std::nullopt; }
+/// How far one life is from another, and whether that is too far.
+struct Difference {
+    double change;
+    bool beyond;
+};
+
+Difference difference(const Spec &spec, const Life &native, const Life &other) {
+    const double from = native.displacement();
+    const double by = std::abs(other.displacement() - from) / std::max(from, 2 * spec.parameters.cell_radius);
+    return {by, by > spec.parameters.exploit_bound || other.outcome != Outcome::viable};
+}
+
+/// The widest difference of several lives.
+Difference widest(const Spec &spec, const Life &native, std::span<const Life> others) {
+    Difference all{0, false};
+    for (const Life &other : others) {
+        const Difference one = difference(spec, native, other);
+        all = {std::max(all.change, one.change), all.beyond || one.beyond};
+    }
+    return all;
+}
 
 /// The row of a run; none if its champion is not viable.
 std::optional<WitnessRow> examine(const Spec &spec, const RecordedRun &run) {
@@ -33,14 +68,7 @@ std::optional<WitnessRow> examine(const Spec &spec, const RecordedRun &run) {
     const Life own = relive(recorded, spec);
     if (own.outcome != Outcome::viable) return std::nullopt;
 
-    // What the setting itself lives in is lived already.
-    Conditions native = spec, bullet = spec;
-    native.engine = "native", bullet.engine = "bullet";
-    Conditions half = native;
-    half.refinement *= 2;
-    return witness_row(
-        spec, champion, run.seed, spec.engine == native.engine ? own : live(recorded.genome, native),
-        live(recorded.genome, half), spec.engine == bullet.engine ? own : live(recorded.genome, bullet));
+    return witness_row(spec, champion, run.seed, lives_of(recorded.genome, spec, own));
 }
 
 /// One column of the champions' rows.
@@ -52,28 +80,32 @@ std::vector<double> column(std::span<const WitnessRow> rows, double WitnessRow::
 
 } // namespace
 
-WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed, const Life &native,
-                       const Life &half, const Life &bullet) {
-    const double moved = native.displacement();
+WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,
+                       const WitnessedLives &lives) {
+    const auto &[native, half, bullet, nudged] = lives;
+    const Difference by_half = difference(spec, native, half), by_bullet = difference(spec, native, bullet),
+                     by_nudge = widest(spec, native, nudged);
     WitnessRow row{.setting = spec.name,
                    .seed = seed,
                    .fitness = champion.fitness,
                    .cells = champion.cells,
                    .elongation = champion.elongation,
-                   .displacement = moved,
+                   .displacement = native.displacement(),
                    .settle_steps = native.settle_steps,
                    .rest_height = height(native),
                    .half_outcome = name_of(half.outcome),
                    .half_displacement = half.displacement(),
-                   .half_change = change(spec, moved, half.displacement()),
+                   .half_change = by_half.change,
                    .bullet_outcome = name_of(bullet.outcome),
                    .bullet_displacement = bullet.displacement(),
-                   .bullet_change = change(spec, moved, bullet.displacement()),
+                   .bullet_change = by_bullet.change,
                    .bullet_settle_steps = bullet.settle_steps,
                    .bullet_rest_height = height(bullet),
-                   .flag = ""};
-    if (row.half_change > spec.parameters.exploit_bound || half.outcome != Outcome::viable)
-        row.flag = "integration exploit";
+                   .nudged_change = by_nudge.change,
+                   .flag = by_half.beyond ? "integration exploit" : "",
+                   .cause = ""};
+    if (by_half.beyond || by_bullet.beyond)
+        row.cause = by_nudge.beyond ? "chaos" : by_half.beyond ? "time step" : "engine";
     return row;
 }
 
@@ -89,8 +121,14 @@ EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions) {
     row.half_change_largest = *std::max_element(half.begin(), half.end());
     row.bullet_change_median = median(bullet);
     row.bullet_change_largest = *std::max_element(bullet.begin(), bullet.end());
-    row.flagged = static_cast<int>(std::count_if(champions.begin(), champions.end(),
-                                                 [](const WitnessRow &r) { return !r.flag.empty(); }));
+    for (const WitnessRow &r : champions) {
+        row.flagged += !r.flag.empty();
+        row.chaotic += r.cause == "chaos";
+        row.apart += r.cause == "engine";
+        if (r.rest_height && r.bullet_rest_height)
+            row.height_change_largest = std::max(row.height_change_largest.value_or(0),
+                                                 std::abs(*r.bullet_rest_height - *r.rest_height));
+    }
     return row;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // An independent witness: every champion, the best individual of its run, is lived again in the native
-// engine, there at half the time step, and in Bullet (MODEL section 8). A champion that half the step undoes
-// is flagged as an integration exploit; what Bullet makes of it is stated beside, without a verdict, as its
-// contact and friction are its own.
+// engine, there at half the time step and with its cells nudged off their places by next to nothing, and in
+// Bullet (MODEL section 8). A champion that half the step undoes is flagged as an integration exploit. Where
+// a life differs, the cause is named: a gait that a nudge changes as much is chaotic, and neither engine nor
+// step tells where it leads; else the step, if that changes it; else the engine, as Bullet's contact and
+// friction are its own.
 //
 // Change of a displacement d to d': |d' - d| / max(d, one cell diameter). A champion that hardly moved is so
 // judged by the cell diameters between the two lives, not by a quotient of two small numbers. A life that is
@@ -14,12 +16,19 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace planula {
 
-/// The row of one champion from its three lives.
-WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed, const Life &native,
-                       const Life &half, const Life &bullet);
+/// The lives of one champion.
+struct WitnessedLives {
+    Life native, half, bullet;
+    std::vector<Life> nudged; // native, at the whole step
+};
+
+/// The row of one champion.
+WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,
+                       const WitnessedLives &lives);
 
 /// What the champions of one setting come to.
 EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions);

@@ -10,12 +10,20 @@
 
 namespace planula {
 
+/// A disturbance of a body before it lives: each node is set down up to `reach` cells off its place along x
+/// and along y, by a hash of its number and `number`. Shows how much of a life hangs on next to nothing.
+struct Nudge {
+    double reach = 0;
+    int number = 0;
+};
+
 struct Conditions {
     Actuation actuation = Actuation::oscillator;
     double actuation_range = 0; // largest change of a rest length when both cells agree (§2.5)
     Environment environment;
     std::string engine = "native"; // a name of make_engine()
     int refinement = 1;            // locomotion takes so many physics steps for each of the parameters'
+    Nudge nudge;                   // none in any evolution
     Parameters parameters;
 };
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "evaluation/live.h"
 
+#include "base/hash.h"
 #include "development/grow.h"
 #include "locomotion/trial.h"
 #include "network/network.h"
 #include "physics/embody.h"
 #include "physics/engine.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace planula {
 
@@ -26,6 +29,19 @@ Life life_of(const Growth &growth) {
     return life;
 }
 
+/// A number in [-1, 1) that depends on `value` alone.
+double hashed(std::uint64_t value) { return static_cast<double>(mix(value) >> 11) * 0x1p-52 - 1; }
+
+void disturb(const Nudge &nudge, std::vector<Vec2d> &positions) {
+    if (nudge.reach == 0) return;
+    std::uint64_t place = mix(static_cast<std::uint64_t>(nudge.number));
+    for (Vec2d &position : positions) {
+        const double right = hashed(place + 1), up = hashed(place + 2);
+        position += Vec2d{right, up} * nudge.reach;
+        place += 2;
+    }
+}
+
 } // namespace
 
 Life live(const Genome &genome, const Conditions &conditions, const Watch &watch) {
@@ -37,7 +53,8 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     if (watch.born) watch.born(growth.body);
 
     const Parameters moving = refined(growing, conditions.refinement);
-    const SoftBodyModel model = embody(growth.body, conditions.environment, moving);
+    SoftBodyModel model = embody(growth.body, conditions.environment, moving);
+    disturb(conditions.nudge, model.positions);
     const auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
     const auto engine = make_engine(conditions.engine);
     Trial trial =

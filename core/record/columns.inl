@@ -101,6 +101,16 @@ COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: we
 COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
 END_TABLE
 
+TABLE(PopulationRow, "population.csv.gz")
+COLUMN(int, slot, "slot", "slot in the run's last generation; the rows of one slot are a genome as in best_genome.csv")
+COLUMN(std::string, kind, "", "first row: the operator that made the genome; then nodes: input, bias, output, hidden; then links: link")
+COLUMN(std::int64_t, id, "id", "number of the genome, id of the node, innovation of the link")
+COLUMN(MaybeId, from, "id", "first row: mother, -1 for none; link: the node it leaves")
+COLUMN(MaybeId, to, "id", "first row: father, -1 for none; link: the node it enters")
+COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: weight")
+COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
+END_TABLE
+
 // ---- Reduced tables ----
 
 TABLE(SettingRow, "settings.csv")
@@ -249,7 +259,9 @@ COLUMN(double, bullet_displacement, "cell", "distance in Bullet; 0 unless viable
 COLUMN(double, bullet_change, "1", "difference of bullet_displacement from displacement, over the larger of displacement and one cell diameter")
 COLUMN(int, bullet_settle_steps, "step", "steps until the body came to rest in Bullet; 0 in water")
 COLUMN(Maybe, bullet_rest_height, "cell", "height of the centre of mass at rest in Bullet; empty if that life is not viable")
+COLUMN(double, nudged_change, "1", "the same difference in the native engine when every cell is set down up to witness_nudge off its place; the largest of witness_nudges lives")
 COLUMN(std::string, flag, "", "integration exploit: half_change above exploit_bound, or not viable at half the time step; else empty")
+COLUMN(std::string, cause, "", "why half the step or Bullet leads elsewhere, by more than exploit_bound or to another outcome; empty if neither does. chaos: so does a nudge; else time step: half the step does; else engine: only Bullet does")
 END_TABLE
 
 TABLE(EngineRow, "engines.csv")
@@ -260,7 +272,25 @@ COLUMN(Maybe, half_change_median, "1", "median of half_change in witness.csv")
 COLUMN(Maybe, half_change_largest, "1", "largest half_change")
 COLUMN(Maybe, bullet_change_median, "1", "median of bullet_change")
 COLUMN(Maybe, bullet_change_largest, "1", "largest bullet_change")
+COLUMN(Maybe, height_change_largest, "cell", "largest difference of bullet_rest_height from rest_height")
 COLUMN(int, flagged, "runs", "champions with a flag")
+COLUMN(int, chaotic, "runs", "champions with the cause chaos")
+COLUMN(int, apart, "runs", "champions with the cause engine")
+END_TABLE
+
+TABLE(SensitivityRow, "sensitivity.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::string, parameter, "", "the parameter that was changed, all others as they are")
+COLUMN(double, standard, "see parameters.csv", "its value")
+COLUMN(double, value, "see parameters.csv", "the value in its place: standard times a factor, within the parameter's range and whole where it must be")
+COLUMN(int, sampled, "individuals", "individuals lived with either value, drawn from the last generations of all runs of the setting")
+COLUMN(int, viable_before, "individuals", "those that are viable with the standard value")
+COLUMN(int, viable_after, "individuals", "those that are viable with the other")
+COLUMN(Maybe, ratio_low, "1", "displacement after over displacement before, lower quartile of those viable with both that moved before; empty without any")
+COLUMN(Maybe, ratio_median, "1", "the same, median")
+COLUMN(Maybe, ratio_high, "1", "the same, upper quartile")
+COLUMN(Maybe, best_ratio, "1", "largest displacement in the sample after over the largest before; empty if nobody moved before")
+COLUMN(Maybe, rank_correlation, "1", "Spearman's rank correlation of the displacements before and after over the whole sample, 0 where not viable; empty if all are equal")
 END_TABLE
 
 TABLE(ColumnRow, "columns.csv")

@@ -17,4 +17,8 @@ std::vector<GenomeRow> genome_rows(const Genome &genome);
 /// Throws InputError naming the broken rule; the caller knows the file.
 Genome genome_of(std::span<const GenomeRow> rows);
 
+/// The genomes of a population, in slot order, and back; errors as above.
+std::vector<PopulationRow> population_rows(std::span<const Genome> genomes);
+std::vector<Genome> population_of(std::span<const PopulationRow> rows);
+
 } // namespace planula

@@ -38,6 +38,16 @@ RecordedRun open_run(const std::filesystem::path &folder, const std::filesystem:
     return run;
 }
 
+/// What `make` makes of the rows of a table of genomes; its errors name the file.
+template <class Row, class Make> auto read_genomes(const RecordedRun &run, const Make &make) {
+    const std::vector<Row> rows = read_table<Row>(run.folder);
+    try {
+        return make(rows);
+    } catch (const InputError &error) {
+        throw InputError((run.folder / Row::file_name).string() + ": " + error.what());
+    }
+}
+
 } // namespace
 
 std::vector<RecordedRun> find_runs(const std::filesystem::path &runs, const std::string &setting) {
@@ -67,12 +77,11 @@ void verify(const RecordedRun &run) {
 }
 
 Genome read_best_genome(const RecordedRun &run) {
-    const auto rows = read_table<GenomeRow>(run.folder);
-    try {
-        return genome_of(rows);
-    } catch (const InputError &error) {
-        throw InputError((run.folder / GenomeRow::file_name).string() + ": " + error.what());
-    }
+    return read_genomes<GenomeRow>(run, [](const auto &rows) { return genome_of(rows); });
+}
+
+std::vector<Genome> read_last_population(const RecordedRun &run) {
+    return read_genomes<PopulationRow>(run, [](const auto &rows) { return population_of(rows); });
 }
 
 } // namespace planula

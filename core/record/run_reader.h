@@ -31,4 +31,7 @@ void verify(const RecordedRun &run);
 /// The genome of the run's champion.
 Genome read_best_genome(const RecordedRun &run);
 
+/// The genomes of the run's last generation, in slot order.
+std::vector<Genome> read_last_population(const RecordedRun &run);
+
 } // namespace planula

@@ -22,7 +22,7 @@ std::string identity_of(const Spec &spec, std::uint64_t seed, const RunIdentity 
 const std::filesystem::path &clear(const std::filesystem::path &folder) {
     remove_file(folder / ManifestRow::file_name);
     for (const auto file : {GenerationRow::file_name, IndividualRow::file_name, ChampionRow::file_name,
-                            ArchiveRow::file_name, GenomeRow::file_name})
+                            ArchiveRow::file_name, GenomeRow::file_name, PopulationRow::file_name})
         remove_file(folder / file);
     return folder;
 }
@@ -184,6 +184,7 @@ void RunWriter::observe(const Generation &generation) {
     write_archive(generation.search);
     crown(generation);
     ++observed_;
+    if (observed_ == parameters_.generations) last_genomes_ = generation.population.genomes;
 }
 
 void RunWriter::write_individuals(const Generation &generation) {
@@ -219,6 +220,7 @@ void RunWriter::finish() {
     keep(ChampionRow::file_name, champions_.commit());
     if (archive_) keep(ArchiveRow::file_name, archive_->commit());
     keep(GenomeRow::file_name, write_table<GenomeRow>(folder_, genome_rows(best_genome_)));
+    keep(PopulationRow::file_name, write_table<PopulationRow>(folder_, population_rows(last_genomes_)));
 
     Manifest manifest;
     manifest.add("version", std::string(version()));

@@ -66,6 +66,7 @@ class RunWriter {
     int observed_ = 0;
     double best_fitness_ = 0;
     Genome best_genome_;
+    std::vector<Genome> last_genomes_; // of the last generation
 };
 
 /// Whether the folder holds the finished run of this setting, seed, version and identity. A manifest that

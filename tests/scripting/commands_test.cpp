@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
 
 BOOST_AUTO_TEST_CASE(a_bad_script_ends_with_65) {
     const Workplace place("return { name = 5 }");
-    for (const char *command : {"check", "run", "describe", "reduce", "frames", "witness"}) {
+    for (const char *command : {"check", "run", "describe", "reduce", "frames", "witness", "sensitivity"}) {
         const Said said = planula_says({command, place.script()});
         BOOST_TEST(said.code == 65, command);
         BOOST_TEST(test::contains(said.err, "small.lua:1: name must be a text, not a number"), said.err);
@@ -176,6 +176,26 @@ BOOST_AUTO_TEST_CASE(witness_has_a_row_for_each_run_and_one_for_their_setting) {
         {"witness", place.script(), "--runs", place.runs(), "--out", data, "--set", "spring_stiffness=50"});
     BOOST_TEST(other.code == 65);
     BOOST_TEST(test::contains(other.err, "the data are of another experiment or version"), other.err);
+}
+
+BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_parameter_and_factor_that_concern_the_setting) {
+    const Workplace place(
+        "local paper = require 'paper'\n"
+        "return paper.experiment { name = 'small', parameters = { population = 30, generations = 1 },\n"
+        "sensitivity = { sample = 20, factors = { 0.5, 2 },\n"
+        "parameters = { 'drag_normal', 'gravity', 'minimum_cells' } } }\n");
+    planula_says({"run", place.script(), "--seeds", "1:2", "--out", place.runs()});
+    const std::string data = place.path / "data";
+    const Said said = planula_says(
+        {"sensitivity", place.script(), "--runs", place.runs(), "--out", data, "--threads", "2"});
+    BOOST_TEST(said.code == 0, said.err);
+    BOOST_TEST(said.out == data + '\n');
+    BOOST_TEST(test::contains(said.err, "sensitivity: drag_normal, 1 of 3\n"), said.err);
+    const std::string table = content(fs::path(data) / "sensitivity.csv");
+    for (const char *row : {"\nsmall,drag_normal,1,0.5,20,", "\nsmall,drag_normal,1,2,20,",
+                            "\nsmall,minimum_cells,8,4,20,", "\nsmall,minimum_cells,8,16,20,"})
+        BOOST_TEST(test::contains(table, row), table);
+    BOOST_TEST(!test::contains(table, "gravity"), table);
 }
 
 BOOST_AUTO_TEST_CASE(invalid_individuals_are_reported_at_the_end_of_a_run) {

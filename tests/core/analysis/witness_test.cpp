@@ -20,8 +20,9 @@ Life moved(double distance, Outcome outcome = Outcome::viable) {
     return life_of(FakeLife{.moved = {distance, 0}, .outcome = outcome}, Parameters{});
 }
 
-WitnessRow row_of(const Life &native, const Life &half, const Life &bullet) {
-    return witness_row(fake_spec("water", 1, 1), champion, 7, native, half, bullet);
+/// The nudged lives are the native one unless given.
+WitnessRow row_of(const Life &native, const Life &half, const Life &bullet, std::vector<Life> nudged = {}) {
+    return witness_row(fake_spec("water", 1, 1), champion, 7, {native, half, bullet, std::move(nudged)});
 }
 
 Spec swimmers() {
@@ -66,6 +67,18 @@ BOOST_AUTO_TEST_CASE(a_champion_that_the_time_step_made_is_flagged) {
     BOOST_TEST(burst.half_outcome == "exploded");
 }
 
+BOOST_AUTO_TEST_CASE(the_cause_is_chaos_before_the_step_before_the_engine) {
+    const std::vector<Life> steady{moved(20.5), moved(19.5)}, wild{moved(20), moved(26)};
+    const std::vector<Life> lost{moved(20), moved(0, Outcome::exploded)};
+    BOOST_TEST(row_of(moved(20), moved(19), moved(21), wild).cause == "");
+    BOOST_TEST(row_of(moved(20), moved(15), moved(30), steady).cause == "time step");
+    BOOST_TEST(row_of(moved(20), moved(19), moved(30), steady).cause == "engine");
+    BOOST_TEST(row_of(moved(20), moved(15), moved(20), wild).cause == "chaos");
+    BOOST_TEST(row_of(moved(20), moved(20), moved(30), lost).cause == "chaos");
+    BOOST_TEST(row_of(moved(20), moved(15), moved(20), wild).nudged_change == 0.3, tt::tolerance(1e-12));
+    BOOST_TEST(row_of(moved(0.01), moved(0), moved(0, Outcome::never_settled), {moved(0)}).cause == "engine");
+}
+
 BOOST_AUTO_TEST_CASE(a_life_that_is_not_viable_has_lost_all_the_way_and_has_no_place) {
     const WitnessRow row = row_of(moved(20), moved(20), moved(20, Outcome::never_settled));
     BOOST_TEST(row.bullet_outcome == "never_settled");
@@ -89,6 +102,9 @@ BOOST_AUTO_TEST_CASE(a_setting_is_summed_up_and_correlated_from_three_champions_
     BOOST_TEST(row.bullet_change_median.value() == 0.75);
     BOOST_TEST(row.bullet_change_largest.value() == 2);
     BOOST_TEST(row.flagged == 1);
+    BOOST_TEST(row.chaotic == 0);
+    BOOST_TEST(row.apart == 1);
+    BOOST_TEST(row.height_change_largest.value() == 0);
 
     const EngineRow nobody = engine_row(spec, {});
     BOOST_TEST(nobody.champions == 0);
@@ -114,6 +130,8 @@ BOOST_AUTO_TEST_CASE(champions_are_witnessed_the_same_on_any_number_of_threads) 
         BOOST_TEST(row.half_outcome == "viable");
         BOOST_TEST(row.half_displacement != row.displacement);
         BOOST_TEST(row.bullet_displacement != row.displacement);
+        BOOST_TEST(row.nudged_change > 0);
+        BOOST_TEST(row.nudged_change < 0.01);
     }
     const auto engines = read_table<EngineRow>(folder / "one");
     BOOST_REQUIRE(engines.size() == 1u);

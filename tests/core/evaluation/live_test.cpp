@@ -137,3 +137,24 @@ BOOST_AUTO_TEST_CASE(hostile_weights_end_in_a_named_outcome_and_finite_numbers) 
             BOOST_REQUIRE(std::isfinite(life.elongation));
         }
 }
+
+BOOST_AUTO_TEST_CASE(a_nudge_moves_every_node_by_next_to_nothing_and_another_number_otherwise) {
+    const auto start = [](Nudge nudge) {
+        Conditions nudged = conditions(Actuation::oscillator, false);
+        nudged.nudge = nudge;
+        std::vector<Vec2d> first;
+        const auto keep_first = [&](int, std::span<const Vec2d> nodes, std::span<const double>) {
+            if (first.empty()) first.assign(nodes.begin(), nodes.end());
+        };
+        live(lump_genome(Actuation::oscillator, 6), nudged, {.grow = {}, .born = {}, .move = keep_first});
+        return first;
+    };
+    const auto still = start({}), one = start({0.01, 0}), again = start({0.01, 0}), two = start({0.01, 1});
+    BOOST_REQUIRE(!still.empty());
+    BOOST_TEST((one == again));
+    for (std::size_t i = 0; i < still.size(); ++i) {
+        BOOST_TEST(length(one[i] - still[i]) > 1e-5);
+        BOOST_TEST(length(one[i] - still[i]) < 0.02);
+        BOOST_TEST((one[i] != two[i]));
+    }
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/trial.h"
 
+#include "base/math.h"
 #include "physics/embody.h"
 #include "physics/native/native_engine.h"
 #include "support/print.h"
@@ -41,6 +42,38 @@ struct Scribe : Engine {
     std::function<double(int)> speed = [](int) { return 0.0; };
     std::vector<double> lengths, dampings;
 };
+
+/// Every cell beats at the shortest period, in a phase of its own: neighbours pull against each other.
+struct Discord : Gait {
+    void signals(int t, std::span<double> signal) override {
+        for (std::size_t cell = 0; cell < signal.size(); ++cell)
+            signal[cell] = math::sin(math::pi * (0.02 * t + 1.37 * static_cast<double>(cell)));
+    }
+};
+
+/// Three rows that lie close: triangles with sides of 1, 0.64 and 0.64.
+Body flat_lattice() {
+    std::vector<Vec2d> positions;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 6; ++column) positions.push_back({column + 0.5 * (row % 2), 0.4 * row});
+    return make_body(positions, 1.5);
+}
+
+/// The smallest signed area that any triangle had, over its area in equilibrium.
+double least_area(const Body &body, const Environment &environment, double range, const Parameters &p) {
+    const SoftBodyModel model = embody(body, environment, p);
+    Discord gait;
+    const auto engine = make_engine("native");
+    double least = std::numeric_limits<double>::infinity();
+    const auto look = [&](int, std::span<const Vec2d> at, std::span<const double>) {
+        for (std::size_t i = 0; i < model.triangles.size(); ++i) {
+            const auto [a, b, c] = model.triangles[i];
+            least = std::min(least, 0.5 * cross(at[b] - at[a], at[c] - at[a]) / model.areas[i]);
+        }
+    };
+    locomote(model, environment, range, gait, *engine, look);
+    return least;
+}
 
 } // namespace
 
@@ -119,4 +152,18 @@ BOOST_AUTO_TEST_CASE(wild_signals_explode_and_end_the_trial) {
     Unison gait([](int t) { return t < 1000 ? 0.0 : std::numeric_limits<double>::quiet_NaN(); });
     NativeEngine engine;
     BOOST_TEST(locomote(model, water(), 0.4, gait, engine).outcome == Outcome::exploded);
+}
+
+BOOST_AUTO_TEST_CASE(pressure_keeps_triangles_from_turning_inside_out_under_the_widest_actuation) {
+    // Round triangles, a fold, and triangles so flat that their springs alone could not keep them open.
+    for (const Body &body : {lattice(8, 3), lattice(5, 5), hook(), flat_lattice()})
+        for (const Environment &environment : {water(), land()}) {
+            const double least = least_area(body, environment, 0.4, Parameters{});
+            BOOST_TEST(least > 0.1);
+            BOOST_TEST(least < 1);
+        }
+
+    Parameters slack;
+    slack.pressure_stiffness = 0;
+    BOOST_TEST(least_area(flat_lattice(), water(), 0.4, slack) < 0);
 }

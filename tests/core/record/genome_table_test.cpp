@@ -105,3 +105,26 @@ BOOST_AUTO_TEST_CASE(a_damaged_table_is_a_sound_genome_or_an_error_and_nothing_e
     BOOST_TEST(sound + refused == 3000);
     BOOST_TEST(refused > 1000);
 }
+
+BOOST_AUTO_TEST_CASE(a_population_comes_back_from_its_rows_in_slot_order) {
+    Genome other = specimen();
+    other.id = 4, other.links.pop_back();
+    const std::vector<Genome> genomes{specimen(), other, specimen()};
+    BOOST_TEST((population_of(population_rows(genomes)) == genomes));
+    BOOST_TEST(population_of({}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_population_with_a_slot_missing_doubled_or_out_of_order_is_refused) {
+    const std::vector<PopulationRow> rows = population_rows(std::vector{specimen(), specimen(), specimen()});
+    const std::size_t third = rows.size() / 3;
+    std::vector<PopulationRow> missing = rows;
+    missing.erase(missing.begin() + third, missing.begin() + 2 * third);
+    BOOST_TEST(message_of<InputError>([&] { population_of(missing); }) ==
+               "slot 2 follows, where slot 1 must");
+    std::vector<PopulationRow> doubled = rows;
+    doubled[third].slot = 0;
+    BOOST_CHECK_THROW(population_of(doubled), InputError);
+    std::vector<PopulationRow> late = rows;
+    for (PopulationRow &row : late) ++row.slot;
+    BOOST_CHECK_THROW(population_of(late), InputError);
+}

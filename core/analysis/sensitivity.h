@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// How much hangs on a number: individuals that evolved with the standard value of a parameter live again with
+// another. What their displacement and viability become tells whether a value that nobody published decides
+// the results (MODEL: every value marked `ours`). Evolution is not repeated, so this is what the value does
+// to bodies and gaits that suit the standard one, not to what would have evolved with the other.
+#pragma once
+
+#include "experiment/spec.h"
+#include "genome/genome.h"
+#include "record/columns.h"
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace planula {
+
+/// Individuals of one setting and their lives with the standard values.
+struct Sample {
+    const Spec *spec = nullptr;
+    std::vector<Genome> genomes;
+    std::vector<Life> lives;
+};
+
+/// For each setting with runs below `runs`, up to `count` individuals drawn from the last generations of all
+/// its complete runs, by chance that depends on the setting's name, the seeds and the slots alone. Throws
+/// InputError for damaged or foreign runs and if there is no run at all.
+std::vector<Sample> draw_samples(std::span<const Spec> settings, const std::filesystem::path &runs, int count,
+                                 int threads);
+
+/// Whether a life in this setting can depend on the parameter: it is one of development, network, body, gait,
+/// or of the setting's own world.
+bool concerns(const ParameterRow &parameter, const Spec &spec);
+
+/// The parameters of origin `ours` that concern a life anywhere: those that are varied unless others are
+/// asked for.
+std::vector<std::string_view> assumed_parameters();
+
+/// `standard` times `factor`, brought into the parameter's range and rounded if it must be whole.
+double varied(const ParameterRow &parameter, double standard, double factor);
+
+/// The sample's lives under `changed`, its setting with one parameter's value changed, against those before.
+SensitivityRow vary(const Sample &sample, const Spec &changed, std::string_view parameter, int threads);
+
+} // namespace planula

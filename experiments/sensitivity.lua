@@ -1,0 +1,10 @@
+-- SPDX-License-Identifier: MIT
+-- How much do the results hang on the values that the paper does not give? All its settings at its population,
+-- but briefly; then a sample of what evolved lives again with each of those values halved and doubled:
+--   make sensitivity
+return planula.fill({
+  name = "sensitivity",
+  title = "Evolved animats under other values",
+  parameters = { seeds = 1, generations = 30 },
+  sensitivity = { sample = 200, factors = { 0.5, 2 } },
+}, require "paper.replication")

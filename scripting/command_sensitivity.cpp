@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/sensitivity.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "record/csv.h"
+#include "scripting/commands.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace planula {
+
+namespace {
+
+constexpr Option options[] = {
+    {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
+    {"out", "DIR", "where sensitivity.csv goes (default: build/data)"},
+    generations_option,
+    population_option,
+    set_option,
+    threads_option,
+};
+
+const ParameterRow &row_of(std::string_view name) {
+    const auto rows = parameter_rows();
+    return *std::find_if(rows.begin(), rows.end(), [&](const auto &row) { return row.name == name; });
+}
+
+class SensitivityCommand {
+  public:
+    SensitivityCommand(const Arguments &arguments, Console &console)
+        : arguments_(arguments), console_(console), experiment_(experiment_of(arguments, console)),
+          threads_(threads_of(arguments)) {}
+
+    int run() {
+        const SensitivityPlan &plan = experiment_.sensitivity;
+        std::vector<std::string> names = plan.parameters;
+        if (names.empty())
+            for (const std::string_view name : assumed_parameters()) names.emplace_back(name);
+        samples_ = draw_samples(experiment_.settings, runs_folder(arguments_, "runs", experiment_),
+                                plan.sample, threads_);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            console_.err << "sensitivity: " << names[i] << ", " << i + 1 << " of " << names.size() << '\n';
+            for (const double factor : plan.factors) vary_all(row_of(names[i]), factor);
+        }
+        const std::string out = arguments_.text("out", "build/data");
+        make_folder(out);
+        write_table<SensitivityRow>(out, rows_);
+        console_.out << out << '\n';
+        return 0;
+    }
+
+  private:
+    /// One row for each setting that the parameter concerns. The script is read again with each value, as its
+    /// environments may be made of it.
+    void vary_all(const ParameterRow &row, double factor) {
+        for (const Sample &sample : samples_) {
+            if (!concerns(row, *sample.spec)) continue;
+            const double standard = parameter(sample.spec->parameters, row.name);
+            const double value = varied(row, standard, factor);
+            if (value == standard) continue;
+            const Experiment changed = experiment_of(arguments_, console_, {{std::string(row.name), value}});
+            rows_.push_back(vary(sample, *changed.find(sample.spec->name), row.name, threads_));
+        }
+    }
+
+    const Arguments &arguments_;
+    Console &console_;
+    const Experiment experiment_;
+    const int threads_;
+    std::vector<Sample> samples_;
+    std::vector<SensitivityRow> rows_;
+};
+
+int call_sensitivity(const Arguments &arguments, Console &console) {
+    return SensitivityCommand(arguments, console).run();
+}
+
+} // namespace
+
+const Command &sensitivity_command() {
+    static const Command command{
+        "sensitivity",
+        "FILE.lua",
+        "lives evolved individuals again with each assumed value halved and doubled",
+        "Draws individuals from the last generations of all complete runs below --runs, lives them with one "
+        "parameter\n"
+        "changed at a time, and writes sensitivity.csv: what became of displacement and viability. Sample, "
+        "factors and\n"
+        "parameters are the experiment's: sensitivity = { sample = 200, factors = { 0.5, 2 }, parameters = { "
+        "\"gravity\" } };\n"
+        "without them, 200 individuals of each setting and every value that the paper does not give.",
+        options,
+        call_sensitivity};
+    return command;
+}
+
+} // namespace planula
