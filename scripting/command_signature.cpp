@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/run.h"
 #include "experiment/signature.h"
+#include "physics/native/kernel.h"
 #include "scripting/commands.h"
 #include "scripting/interrupt.h"
 
@@ -16,12 +17,15 @@ constexpr std::uint64_t signed_seed = 1;
 
 constexpr Option options[] = {
     threads_option,
+    {"lanes", "NAME", "how many numbers the physics works on at once: scalar, sse2, avx2 (default: most)"},
     {"script", "FILE", "the experiment whose settings are signed (default: the paper's replication)"},
 };
 
 int print_signature(const Arguments &arguments, Console &console) {
     const std::string standard = (console.library / "paper" / "replication.lua").string();
     const int threads = threads_of(arguments);
+    const std::string lanes = arguments.text("lanes", "");
+    if (!lanes.empty()) native::choose_kernel(lanes);
     const Experiment experiment =
         load_experiment(arguments.text("script", standard), console.library, signed_size);
     const Interrupt interrupt;

@@ -7,6 +7,10 @@
 
 namespace planula {
 
+/// A choice between numbers; base/lanes.h has the same for numbers side by side.
+inline float select(bool choice, float yes, float no) { return choice ? yes : no; }
+inline double select(bool choice, double yes, double no) { return choice ? yes : no; }
+
 template <class T> struct Vec2 {
     T x = 0, y = 0;
 
@@ -30,6 +34,10 @@ template <class T> T squared_length(Vec2<T> a) { return dot(a, a); }
 template <class T> T length(Vec2<T> a) { return std::sqrt(dot(a, a)); }
 /// The vector turned a quarter turn clockwise: the right-hand normal of a direction.
 template <class T> Vec2<T> right_normal(Vec2<T> a) { return {a.y, -a.x}; }
+/// Both components by one choice, of a number or lane by lane.
+template <class Choice, class T> Vec2<T> select(Choice choice, Vec2<T> yes, Vec2<T> no) {
+    return {select(choice, yes.x, no.x), select(choice, yes.y, no.y)};
+}
 template <class T> bool is_finite(Vec2<T> a) { return std::isfinite(a.x) && std::isfinite(a.y); }
 
 } // namespace planula

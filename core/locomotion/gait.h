@@ -33,12 +33,10 @@ class Gait {
 std::unique_ptr<Gait> make_gait(Actuation actuation, const Network &network, const Body &body,
                                 const Tissue &tissue, const Parameters &parameters);
 
-/// The rest length of a spring between cells with signals a1 and a2: L = (1 + r (a1 + a2)/2) L0. With r the
-/// largest change when both agree, this is Eq. (1) with A = r/2, which adds two sines, and Eq. (3) with A =
-/// r, which averages two outputs. `ramp` in [0, 1] scales r.
-inline double actuated_length(double L0, double range, double ramp, double a1, double a2) {
-    return (1 + ramp * range * (a1 + a2) / 2) * L0;
-}
+/// The share by which a cell with signal a lengthens its springs. Of two cells they add up to L = (1 + r (a1 +
+/// a2)/2) L0 (laws/spring.h). With r the largest change when both agree, this is Eq. (1) with A = r/2, which
+/// adds two sines, and Eq. (3) with A = r, which averages two outputs. `ramp` in [0, 1] scales r.
+inline double elongation(double range, double ramp, double a) { return ramp * range * a / 2; }
 
 /// min(1, t / ramp_steps): the amplitude rises at the start (§2.5).
 double ramp(int t, const Parameters &parameters);

@@ -22,10 +22,14 @@ class Engine {
   public:
     virtual ~Engine() = default;
 
-    /// Takes the body at rest. Model and environment must outlive the engine's use of them.
+    /// Takes the body at rest, muscles off. Model and environment must outlive the engine's use of them.
     virtual void load(const SoftBodyModel &model, const Environment &environment) = 0;
-    /// One physics step with these rest lengths, one per link, and an extra damping of all motion (1/t.u.).
-    virtual Motion step(std::span<const double> rest_lengths, double damping) = 0;
+    /// Muscles: over the next `steps` steps, >= 1, each node's elongation goes linearly to this one, reached
+    /// at the last, and stays there; at first all are 0. They give the springs their rest lengths
+    /// (laws/spring.h: actuated_length).
+    virtual void actuate(std::span<const double> elongations, int steps) = 0;
+    /// One physics step, with an extra damping of all motion (1/t.u.).
+    virtual Motion step(double damping) = 0;
     /// Node positions and velocities, world frame.
     virtual std::vector<Vec2d> positions() const = 0;
     virtual std::vector<Vec2d> velocities() const = 0;

@@ -2,7 +2,6 @@
 #include "physics/forces.h"
 
 #include "physics/laws/drag.h"
-#include "physics/laws/pressure.h"
 #include "physics/laws/spring.h"
 
 #include <algorithm>
@@ -11,14 +10,10 @@ namespace planula {
 
 template <class T> void Forces<T>::load(const SoftBodyModel &model, const Environment &environment) {
     model_ = &model, environment_ = &environment;
-
-    // Small triangles get the stiffness of area_floor.
-    area_.clear(), pressure_stiffness_.clear();
-    for (const double area : model.areas) {
-        area_.push_back(static_cast<T>(area));
-        pressure_stiffness_.push_back(static_cast<T>(model.parameters.pressure_stiffness /
-                                                     std::max(area, model.parameters.area_floor)));
-    }
+    pressure_.clear();
+    const Parameters &p = model.parameters;
+    for (const double area : model.areas)
+        pressure_.push_back(pressure_of<T>(area, p.pressure_stiffness, p.area_floor));
     contact_.load(model);
 }
 
@@ -39,8 +34,8 @@ void Forces<T>::add_springs(std::span<const double> rest_lengths, std::span<cons
     const auto damping = static_cast<T>(model_->parameters.spring_damping);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
         const auto [a, b] = model_->links[i];
-        const Vec2<T> force = spring_force(position[b] - position[a], velocity[b] - velocity[a],
-                                           static_cast<T>(rest_lengths[i]), stiffness, damping);
+        const Vec2<T> force = spring_force(position[b] - position[a], velocity[b] - velocity[a], stiffness,
+                                           stiffness * static_cast<T>(rest_lengths[i]), damping);
         forces[a] += force;
         forces[b] -= force;
     }
@@ -50,11 +45,9 @@ template <class T>
 void Forces<T>::add_pressure(std::span<const Vec2<T>> position, std::span<Vec2<T>> forces) const {
     for (std::size_t i = 0; i < model_->triangles.size(); ++i) {
         const auto [a, b, c] = model_->triangles[i];
-        const auto push =
-            pressure_forces(position[a], position[b], position[c], area_[i], pressure_stiffness_[i]);
-        forces[a] += push.a;
-        forces[b] += push.b;
-        forces[c] += push.c;
+        forces[a] += pressure_force(position[b] - position[a], position[c] - position[a], pressure_[i]);
+        forces[b] += pressure_force(position[c] - position[b], position[a] - position[b], pressure_[i]);
+        forces[c] += pressure_force(position[a] - position[c], position[b] - position[c], pressure_[i]);
     }
 }
 
@@ -78,7 +71,6 @@ template <class T> void Forces<T>::add_contact(std::span<const Vec2<T>> position
     contact_.add_forces(position, forces);
 }
 
-template class Forces<float>;
 template class Forces<double>;
 
 } // namespace planula

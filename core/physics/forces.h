@@ -5,6 +5,7 @@
 #pragma once
 
 #include "physics/environment.h"
+#include "physics/laws/pressure.h"
 #include "physics/self_contact.h"
 
 #include <span>
@@ -32,7 +33,7 @@ template <class T> class Forces {
   private:
     const SoftBodyModel *model_ = nullptr;
     const Environment *environment_ = nullptr;
-    std::vector<T> area_, pressure_stiffness_; // per triangle
+    std::vector<Pressure<T>> pressure_; // per triangle
     SelfContact<T> contact_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "physics/forces.h"
+#include "physics/laws/spring.h"
 
 #include <btBulletDynamicsCommon.h>
 
@@ -34,16 +35,35 @@ class BulletEngine::World {
         if (environment.has_ground) add_ground();
         for (const Vec2d position : model.positions) add_node(position);
         forces_.load(model, environment);
+        lengths_ = next_lengths_ = model.rest_lengths;
+        changes_.resize(lengths_.size());
     }
     ~World() {
         for (const auto &body : nodes_) world_.removeRigidBody(body.get());
         for (const auto &body : grounds_) world_.removeRigidBody(body.get());
     }
 
-    Motion step(std::span<const double> rest_lengths, double damping) {
+    void actuate(std::span<const double> elongations, int steps) {
+        lengths_ = next_lengths_;
+        for (std::size_t i = 0; i < model_.links.size(); ++i) {
+            const auto [a, b] = model_.links[i];
+            next_lengths_[i] = actuated_length(model_.rest_lengths[i], elongations[a], elongations[b]);
+            changes_[i] = (next_lengths_[i] - lengths_[i]) / steps;
+        }
+        steps_to_knot_ = steps;
+    }
+
+    Motion step(double damping) {
+        // Rest lengths change linearly between knots.
+        if (steps_to_knot_ > 0) {
+            --steps_to_knot_;
+            for (std::size_t i = 0; i < lengths_.size(); ++i)
+                lengths_[i] = next_lengths_[i] - steps_to_knot_ * changes_[i];
+        }
+
         const std::vector<Vec2d> x = positions(), v = velocities();
         std::vector<Vec2d> forces(x.size());
-        forces_.compute(rest_lengths, x, v, forces);
+        forces_.compute(lengths_, x, v, forces);
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             nodes_[i]->applyCentralForce(to_bullet(forces[i] - v[i] * damping));
         world_.stepSimulation(model_.parameters.time_step, 0);
@@ -127,6 +147,8 @@ class BulletEngine::World {
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> grounds_, nodes_;
     Forces<double> forces_;
+    std::vector<double> lengths_, next_lengths_, changes_; // per link: now, at the coming knot, in a step
+    int steps_to_knot_ = 0;
 };
 
 BulletEngine::BulletEngine() = default;
@@ -137,9 +159,14 @@ void BulletEngine::load(const SoftBodyModel &model, const Environment &environme
     world_ = std::make_unique<World>(model, environment);
 }
 
-Motion BulletEngine::step(std::span<const double> rest_lengths, double damping) {
+void BulletEngine::actuate(std::span<const double> elongations, int steps) {
     CHECK(world_ != nullptr);
-    return world_->step(rest_lengths, damping);
+    world_->actuate(elongations, steps);
+}
+
+Motion BulletEngine::step(double damping) {
+    CHECK(world_ != nullptr);
+    return world_->step(damping);
 }
 
 std::vector<Vec2d> BulletEngine::positions() const { return world_->positions(); }

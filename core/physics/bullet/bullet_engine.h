@@ -17,7 +17,8 @@ class BulletEngine : public Engine {
     ~BulletEngine() override;
 
     void load(const SoftBodyModel &model, const Environment &environment) override;
-    Motion step(std::span<const double> rest_lengths, double damping) override;
+    void actuate(std::span<const double> elongations, int steps) override;
+    Motion step(double damping) override;
     std::vector<Vec2d> positions() const override;
     std::vector<Vec2d> velocities() const override;
 

@@ -17,13 +17,14 @@ template <class T> struct GroundPlane { Vec2<T> point, normal{0, 1}; };
 template <class T>
 Vec2<T> ground_contact(Vec2<T> position, Vec2<T> velocity, const GroundPlane<T> &ground, T friction,
                        T time_step) {
+    using std::abs, std::max;
     const Vec2<T> along = right_normal(ground.normal);
     const T up = dot(velocity, ground.normal);
     const T gap = dot(position - ground.point, ground.normal) + up * time_step;
-    if (!(gap < 0)) return velocity;
     const T impulse = -gap / time_step;
-    const T sliding = dot(velocity, along), slowed = std::max(std::abs(sliding) - friction * impulse, T(0));
-    return ground.normal * (up + impulse) + along * (sliding < 0 ? -slowed : slowed);
+    const T sliding = dot(velocity, along), slowed = max(abs(sliding) - friction * impulse, T(0));
+    const Vec2<T> touching = ground.normal * (up + impulse) + along * select(sliding < T(0), -slowed, slowed);
+    return select(gap < T(0), touching, velocity);
 }
 
 } // namespace planula

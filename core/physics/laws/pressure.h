@@ -4,19 +4,24 @@
 
 #include "base/vec2.h"
 
+#include <algorithm>
+
 namespace planula {
 
-template <class T> struct CornerForces { Vec2<T> a, b, c; };
+/// Half the pressure of a triangle as a function of its signed area A: p/2 = slope·(2A0 − 2A).
+template <class T> struct Pressure { T twice_area = 0, slope = 0; };
 
-/// The forces on the corners of a counter-clockwise triangle: p ∂A/∂x with p = stiffness·(A0 − A) and A the
-/// signed area, so that an inverted triangle is pushed back too. `stiffness` is kp / max(A0, area_floor).
-template <class T>
-CornerForces<T> pressure_forces(Vec2<T> a, Vec2<T> b, Vec2<T> c, T equilibrium_area, T stiffness) {
-    const Vec2<T> ab = b - a, ac = c - a;
-    const T area = T(0.5) * cross(ab, ac);
-    const T half_pressure = T(0.5) * stiffness * (equilibrium_area - area);
-    return {right_normal(ab - ac) * half_pressure, right_normal(ac) * half_pressure,
-            right_normal(-ab) * half_pressure};
+/// p = kp (A0 − A) / max(A0, floor), from A0, kp and the floor.
+template <class T> Pressure<T> pressure_of(double equilibrium_area, double stiffness, double area_floor) {
+    return {static_cast<T>(2 * equilibrium_area),
+            static_cast<T>(0.25 * stiffness / std::max(equilibrium_area, area_floor))};
+}
+
+/// The force on one corner of a triangle, p ∂A/∂x, whose other corners lie at `first` and `second` from it,
+/// counter-clockwise. The area is signed, so that an inverted triangle is pushed back too.
+template <class T> Vec2<T> pressure_force(Vec2<T> first, Vec2<T> second, const Pressure<T> &pressure) {
+    const T half_pressure = pressure.slope * (pressure.twice_area - cross(first, second));
+    return right_normal(first - second) * half_pressure;
 }
 
 } // namespace planula

@@ -10,28 +10,61 @@ namespace planula {
 namespace {
 
 Vec2f to_float(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-Vec2d to_double(Vec2f v) { return {v.x, v.y}; }
-
-std::vector<Vec2d> to_double(const std::vector<Vec2f> &values) {
-    std::vector<Vec2d> result;
-    for (const Vec2f v : values) result.push_back(to_double(v));
-    return result;
-}
 
 } // namespace
 
 void NativeEngine::load(const SoftBodyModel &model, const Environment &environment) {
-    model_ = &model, environment_ = &environment;
-    position_.clear();
-    for (const Vec2d p : model.positions) position_.push_back(to_float(p));
-    velocity_.assign(position_.size(), {});
-    forces_.assign(position_.size(), {});
-    law_.load(model, environment);
+    body_ = native::lay_out(model);
+    contact_.load(body_.model);
+    lay_ground(environment);
 
-    // The ground is level beyond the ends of its polyline.
+    // At rest, muscles off.
+    now_.clear();
+    for (const int cell : body_.cell_of) {
+        const Vec2f place = to_float(model.positions[cell]);
+        now_.push_back({place.x, place.y, 0, 0});
+    }
+    next_ = now_;
+    elongation_.assign(now_.size(), 0);
+    push_x_.assign(now_.size(), 0), push_y_.assign(now_.size(), 0);
+    half_x_.resize(body_.outline.size() * native::group_size), half_y_.resize(half_x_.size());
+    pushed_ = false;
+    knot_steps_ = knot_interval_ = 0;
+
+    const Parameters &p = model.parameters;
+    time_step_ = p.time_step;
+    const auto dt = static_cast<float>(p.time_step);
+    const auto limit = static_cast<float>(p.node_speed_limit / p.time_step);
+    task_ = {.groups = body_.groups.data(),
+             .group_count = static_cast<int>(body_.groups.size()),
+             .slots = body_.slots.data(),
+             .push_x = push_x_.data(),
+             .push_y = push_y_.data(),
+             .stiffness = static_cast<float>(p.spring_stiffness),
+             .damping = static_cast<float>(p.spring_damping),
+             .time_step = dt,
+             .fall = static_cast<float>(environment.gravity) * dt,
+             .ground = ground_.data(),
+             .slopes = static_cast<int>(ground_.size()),
+             .friction = static_cast<float>(environment.friction),
+             .squared_limit = limit * limit};
+    const Vec2f flow = to_float(environment.flow);
+    const int drag_groups = environment.has_fluid() ? static_cast<int>(body_.outline.size()) : 0;
+    drag_ = {body_.outline.data(),
+             drag_groups,
+             static_cast<float>(environment.drag_normal),
+             static_cast<float>(environment.drag_tangential),
+             flow.x,
+             flow.y};
+}
+
+/// The ground is level beyond the ends of its polyline.
+void NativeEngine::lay_ground(const Environment &environment) {
+    ground_.clear();
+    if (!environment.has_ground) return;
     const auto &line = environment.ground;
     const float left = -std::numeric_limits<float>::infinity();
-    ground_.assign(1, {left, {line.empty() ? Vec2f{} : to_float(line.front()), {0, 1}}});
+    ground_.push_back({left, {line.empty() ? Vec2f{} : to_float(line.front()), {0, 1}}});
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Vec2d along = line[i] - line[i - 1];
         const Vec2d normal = -right_normal(along) / length(along);
@@ -41,40 +74,61 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
         ground_.push_back({static_cast<float>(line.back().x), {to_float(line.back()), {0, 1}}});
 }
 
-Motion NativeEngine::step(std::span<const double> rest_lengths, double damping) {
-    law_.compute(rest_lengths, position_, velocity_, forces_);
-    return integrate(static_cast<float>(damping));
+void NativeEngine::actuate(std::span<const double> elongations, int steps) {
+    for (std::size_t i = 0; i < elongation_.size(); ++i)
+        elongation_[i] = static_cast<float>(elongations[body_.cell_of[i]]);
+    kernel_.reach_knot({task_.group_count, task_.groups, elongation_.data(), static_cast<float>(steps)},
+                       body_.slots.data());
+    knot_steps_ = 0, knot_interval_ = steps;
 }
 
-Motion NativeEngine::integrate(float damping) {
-    const auto dt = static_cast<float>(model_->parameters.time_step);
-    const auto gravity = static_cast<float>(environment_->gravity);
-    const auto friction = static_cast<float>(environment_->friction);
-    const float slowing = 1 - damping * dt;
-    float fastest = 0;
-    bool finite = true;
-    for (std::size_t i = 0; i < position_.size(); ++i) {
-        Vec2f v = (velocity_[i] + forces_[i] * dt) * slowing;
-        v.y -= gravity * dt;
-        if (environment_->has_ground)
-            v = ground_contact(position_[i], v, ground_below(position_[i].x), friction, dt);
-        velocity_[i] = v;
-        position_[i] += v * dt;
-        const float squared = squared_length(v);
-        finite = finite && std::isfinite(squared);
-        fastest = std::max(fastest, squared);
+Motion NativeEngine::step(double damping) {
+    push_outline();
+    knot_steps_ = std::min(knot_steps_ + 1, knot_interval_);
+    task_.knot_steps = static_cast<float>(knot_steps_);
+    task_.slowing = 1 - static_cast<float>(damping) * task_.time_step;
+    const auto [squared_speed, beyond] = kernel_.step(task_, now_.data(), next_.data());
+    now_.swap(next_);
+    return {std::sqrt(static_cast<double>(squared_speed)), beyond};
+}
+
+/// Drag and self-collision.
+void NativeEngine::push_outline() {
+    const auto touches = contact_.touches({&now_[0].x, 4});
+    const bool pushing = drag_.group_count > 0 || !touches.empty();
+    if (!pushed_ && !pushing) return;
+    pushed_ = pushing;
+    std::fill(push_x_.begin() + body_.first_outline_node, push_x_.end(), 0.0f);
+    std::fill(push_y_.begin() + body_.first_outline_node, push_y_.end(), 0.0f);
+    const auto push = [&](int node, Vec2f force) { push_x_[node] += force.x, push_y_[node] += force.y; };
+
+    if (drag_.group_count > 0) {
+        kernel_.drag(drag_, now_.data(), half_x_.data(), half_y_.data());
+        for (std::size_t i = 0; i < body_.model.outline.size(); ++i) {
+            const Vec2f half{half_x_[i], half_y_[i]};
+            push(body_.model.outline[i].a, half), push(body_.model.outline[i].b, half);
+        }
     }
-    const double speed = std::sqrt(static_cast<double>(fastest));
-    return {speed, !finite || speed * model_->parameters.time_step > model_->parameters.node_speed_limit};
+    for (const auto &[cell, a, b, force, t] : touches) {
+        push(cell, force);
+        push(a, -force * (1 - t)), push(b, -force * t);
+    }
+    // Twins of the last node are pushed as it is.
+    for (std::size_t twin = body_.nodes; twin < now_.size(); ++twin)
+        push_x_[twin] = push_x_[body_.nodes - 1], push_y_[twin] = push_y_[body_.nodes - 1];
 }
 
-GroundPlane<float> NativeEngine::ground_below(float x) const {
-    const auto beyond = std::upper_bound(ground_.begin() + 1, ground_.end(), x,
-                                         [](float value, const Slope &slope) { return value < slope.from; });
-    return (beyond - 1)->plane;
+std::vector<Vec2d> NativeEngine::positions() const {
+    std::vector<Vec2d> result(static_cast<std::size_t>(body_.nodes));
+    for (int node = 0; node < body_.nodes; ++node) result[body_.cell_of[node]] = {now_[node].x, now_[node].y};
+    return result;
 }
 
-std::vector<Vec2d> NativeEngine::positions() const { return to_double(position_); }
-std::vector<Vec2d> NativeEngine::velocities() const { return to_double(velocity_); }
+std::vector<Vec2d> NativeEngine::velocities() const {
+    std::vector<Vec2d> result(static_cast<std::size_t>(body_.nodes));
+    for (int node = 0; node < body_.nodes; ++node)
+        result[body_.cell_of[node]] = {now_[node].vx, now_[node].vy};
+    return result;
+}
 
 } // namespace planula

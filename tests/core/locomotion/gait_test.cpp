@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/gait.h"
 
+#include "physics/laws/spring.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
@@ -22,8 +24,8 @@ BOOST_AUTO_TEST_CASE(the_amplitude_rises_over_the_ramp) {
 }
 
 BOOST_AUTO_TEST_CASE(cells_in_accord_change_a_rest_length_by_the_whole_range) {
-    BOOST_TEST(actuated_length(2, 0.4, 1, 1, 1) == 2.8, near);
-    BOOST_TEST(actuated_length(2, 0.4, 1, -1, -1) == 1.2, near);
-    BOOST_TEST(actuated_length(2, 0.4, 1, 1, -1) == 2);
-    BOOST_TEST(actuated_length(2, 0.4, 0.5, 1, 0) == 2.2, near);
+    BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, 1), elongation(0.4, 1, 1)) == 2.8, near);
+    BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, -1), elongation(0.4, 1, -1)) == 1.2, near);
+    BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, 1), elongation(0.4, 1, -1)) == 2);
+    BOOST_TEST(actuated_length(2.0, elongation(0.4, 0.5, 1), elongation(0.4, 0.5, 0)) == 2.2, near);
 }

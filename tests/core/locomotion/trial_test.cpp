@@ -29,18 +29,24 @@ struct Unison : Gait {
     std::vector<int> asked;
 };
 
-/// An engine that records the rest lengths of its first spring, and whose nodes have the speed it is told.
+/// An engine that records the elongation of its first node, and whose nodes have the speed it is told.
 struct Scribe : Engine {
     void load(const SoftBodyModel &, const Environment &) override {}
-    Motion step(std::span<const double> rest_lengths, double damping) override {
-        lengths.push_back(rest_lengths[0]);
+    void actuate(std::span<const double> elongations, int steps) override {
+        from = to, to = elongations[0], interval = steps, since = 0;
+    }
+    Motion step(double damping) override {
+        since = std::min(since + 1, interval);
+        lengths.push_back(interval == 0 ? 1 : 1 + 2 * (from + (to - from) * since / interval));
         dampings.push_back(damping);
         return {speed(static_cast<int>(lengths.size())), false};
     }
     std::vector<Vec2d> positions() const override { return {{static_cast<double>(lengths.size()), 0}}; }
     std::vector<Vec2d> velocities() const override { return {{}}; }
     std::function<double(int)> speed = [](int) { return 0.0; };
-    std::vector<double> lengths, dampings;
+    double from = 0, to = 0;
+    int interval = 0, since = 0;
+    std::vector<double> lengths, dampings; // of a spring of length 1 between nodes alike
 };
 
 /// Every cell beats at the shortest period, in a phase of its own: neighbours pull against each other.

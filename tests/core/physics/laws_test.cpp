@@ -16,19 +16,29 @@ namespace {
 
 const auto near = boost::test_tools::tolerance(1e-12);
 
+/// What a counter-clockwise triangle does to its three corners.
+struct CornerForces {
+    Vec2d a, b, c;
+};
+
+CornerForces corner_forces(Vec2d a, Vec2d b, Vec2d c, const Pressure<double> &pressure) {
+    return {pressure_force(b - a, c - a, pressure), pressure_force(c - b, a - b, pressure),
+            pressure_force(a - c, b - c, pressure)};
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_spring_pulls_by_hooke_and_damps_along_itself) {
     // l = 5 along (0.6, 0.8), L = 4, dl/dt = 1·0.6 + 2·0.8 = 2.2: tension 400 · 1 + 8 · 2.2 = 417.6.
-    const Vec2d force = spring_force<double>({3, 4}, {1, 2}, 4, 400, 8);
+    const Vec2d force = spring_force<double>({3, 4}, {1, 2}, 400, 400 * 4, 8);
     BOOST_TEST(force.x == 417.6 * 0.6, near);
     BOOST_TEST(force.y == 417.6 * 0.8, near);
-    BOOST_TEST((spring_force<double>({1, 0}, {0, 5}, 1, 400, 8) == Vec2d{})); // motion across is free
+    BOOST_TEST((spring_force<double>({1, 0}, {0, 5}, 400, 400 * 1, 8) == Vec2d{})); // motion across is free
 }
 
 BOOST_AUTO_TEST_CASE(pressure_pushes_a_compressed_triangle_open) {
     // A = 1/2, A0 = 0.6, stiffness 2000/0.6: p = 333.33…; ∂A/∂b = ½ (c − a) turned right = (0.5, 0).
-    const auto forces = pressure_forces<double>({0, 0}, {1, 0}, {0, 1}, 0.6, 2000 / 0.6);
+    const auto forces = corner_forces({0, 0}, {1, 0}, {0, 1}, pressure_of<double>(0.6, 2000, 0.2));
     const double p = 2000.0 / 6;
     BOOST_TEST(forces.b.x == 0.5 * p, near);
     BOOST_TEST(forces.b.y == 0);
@@ -44,15 +54,21 @@ BOOST_AUTO_TEST_CASE(pressure_is_minus_the_gradient_of_its_energy) {
         const double loss = A0 - 0.5 * cross(b - corner, c - corner);
         return 0.5 * k * loss * loss;
     };
-    const auto forces = pressure_forces(a, b, c, A0, k);
+    const auto forces = corner_forces(a, b, c, pressure_of<double>(A0, k * A0, 0.2));
     const auto loose = boost::test_tools::tolerance(1e-6);
     BOOST_TEST(forces.a.x == -(energy({a.x + h, a.y}) - energy({a.x - h, a.y})) / (2 * h), loose);
     BOOST_TEST(forces.a.y == -(energy({a.x, a.y + h}) - energy({a.x, a.y - h})) / (2 * h), loose);
 }
 
+BOOST_AUTO_TEST_CASE(small_triangles_get_the_stiffness_of_the_floor) {
+    const auto small = pressure_of<double>(0.1, 2000, 0.2), floor = pressure_of<double>(0.2, 2000, 0.2);
+    BOOST_TEST(small.slope == floor.slope);
+    BOOST_TEST(small.twice_area == floor.twice_area / 2, near);
+}
+
 BOOST_AUTO_TEST_CASE(an_inverted_triangle_is_pushed_back) {
     // c lies below the edge a → b: area −1/2.
-    const auto forces = pressure_forces<double>({0, 0}, {1, 0}, {0, -1}, 0.5, 4000);
+    const auto forces = corner_forces({0, 0}, {1, 0}, {0, -1}, pressure_of<double>(0.5, 2000, 0.2));
     BOOST_TEST(forces.c.y > 0);
 }
 

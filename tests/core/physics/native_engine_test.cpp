@@ -2,16 +2,21 @@
 // The native engine on whole bodies: rest, carriage by a current, and its guard.
 #include "physics/native/native_engine.h"
 
+#include "base/error.h"
+#include "base/math.h"
 #include "physics/embody.h"
 #include "support/print.h"
 #include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <limits>
+#include <string>
 
 using namespace planula;
 using namespace planula::specimens;
+using namespace std::string_literals;
 
 namespace {
 
@@ -21,14 +26,79 @@ Vec2d momentum(const NativeEngine &engine) {
     return sum;
 }
 
+/// A ring that swings and closes until its ends collide, after so many steps on this kernel.
+NativeEngine swung(const native::Kernel &kernel, const Environment &environment, int steps,
+                   std::vector<double> &speeds) {
+    const auto model = embody(hook(), environment, Parameters{});
+    NativeEngine engine(kernel);
+    engine.load(model, environment);
+    for (int t = 0; t < steps; ++t) {
+        std::vector<double> elongations;
+        for (int i = 0; i < model.nodes(); ++i)
+            elongations.push_back(std::min(1.0, 0.005 * t) *
+                                  ((i % 2 == 1 ? 0.125 : -0.125) + 0.1 * math::sin(0.06 * t + 0.7 * i)));
+        if (t % 10 == 0) engine.actuate(elongations, 10);
+        speeds.push_back(engine.step(t < 50 ? 1 : 0).fastest);
+    }
+    return engine;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(every_width_of_lanes_gives_the_same_bits) {
+    Environment hills = land(), stream = water();
+    hills.ground = {{-5, 0}, {-1, 0.5}, {0, 0}, {2, -1}, {6, 1}};
+    stream.flow = {0.5, -0.25};
+    for (const Environment &environment : {empty_space(), stream, land(), hills}) {
+        std::vector<double> expected;
+        const NativeEngine scalar = swung(native::kernels().front(), environment, 1500, expected);
+        for (const native::Kernel &kernel : native::kernels()) {
+            std::vector<double> found;
+            const NativeEngine wide = swung(kernel, environment, 1500, found);
+            BOOST_TEST((found == expected), kernel.name);
+            BOOST_TEST((wide.positions() == scalar.positions()), kernel.name);
+            BOOST_TEST((wide.velocities() == scalar.velocities()), kernel.name);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(kernels_are_chosen_by_name) {
+    const std::string_view widest = native::chosen_kernel().name;
+    BOOST_TEST(widest == native::kernels().back().name);
+    native::choose_kernel("scalar");
+    BOOST_TEST(native::chosen_kernel().name == "scalar"s);
+    BOOST_CHECK_EXCEPTION(native::choose_kernel("skalar"), InputError, [](const InputError &error) {
+        return std::string(error.what()) == "this processor has no lanes 'skalar'; did you mean 'scalar'?";
+    });
+    native::choose_kernel(widest);
+}
+
+BOOST_AUTO_TEST_CASE(rest_lengths_go_linearly_from_knot_to_knot_and_stay_there) {
+    // A pair of cells, heavily damped, follows its rest length.
+    auto model = embody(lattice(2, 1), empty_space(), Parameters{});
+    model.parameters.spring_stiffness = 4000, model.parameters.spring_damping = 50;
+    const Environment environment = empty_space();
+    NativeEngine engine;
+    engine.load(model, environment);
+    const auto length_after = [&](int steps) {
+        for (int i = 0; i < steps; ++i) engine.step(0);
+        return length(engine.positions()[1] - engine.positions()[0]);
+    };
+    const std::vector<double> long_ones(2, 0.1), short_ones(2, -0.1);
+    engine.actuate(long_ones, 1000);
+    BOOST_TEST(std::abs(length_after(500) - 1.1) < 0.01);
+    BOOST_TEST(std::abs(length_after(500) - 1.2) < 0.01);
+    BOOST_TEST(std::abs(length_after(500) - 1.2) < 1e-5);
+    engine.actuate(short_ones, 1);
+    BOOST_TEST(std::abs(length_after(500) - 0.8) < 1e-5);
+}
 
 BOOST_AUTO_TEST_CASE(a_body_in_equilibrium_stays_where_it_is) {
     const auto model = embody(lattice(6, 3), water(), Parameters{});
     const Environment environment = water();
     NativeEngine engine;
     engine.load(model, environment);
-    for (int i = 0; i < 1000; ++i) engine.step(model.rest_lengths, 0);
+    for (int i = 0; i < 1000; ++i) engine.step(0);
     for (std::size_t i = 0; i < model.positions.size(); ++i)
         BOOST_TEST(length(engine.positions()[i] - model.positions[i]) < 1e-4);
 }
@@ -39,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_current_carries_a_body_along) {
     const auto model = embody(lattice(5, 2), environment, Parameters{});
     NativeEngine engine;
     engine.load(model, environment);
-    for (int t = 0; t < 4000; ++t) engine.step(model.rest_lengths, 0);
+    for (int t = 0; t < 4000; ++t) engine.step(0);
     const Vec2d drift = momentum(engine) / static_cast<double>(model.nodes());
     BOOST_TEST(drift.x > 1.5);
     BOOST_TEST(drift.x < 2);
@@ -50,12 +120,14 @@ BOOST_AUTO_TEST_CASE(speeds_beyond_the_guard_and_numbers_that_are_not_are_explos
     const Environment environment = water();
     NativeEngine engine;
     engine.load(model, environment);
-    std::vector<double> wild(model.rest_lengths.size(), 1e6);
-    BOOST_TEST(engine.step(wild, 0).exploded);
+    std::vector<double> wild(model.positions.size(), 1e6);
+    engine.actuate(wild, 1);
+    BOOST_TEST(engine.step(0).exploded);
     engine.load(model, environment);
-    std::vector<double> broken = model.rest_lengths;
+    std::vector<double> broken(model.positions.size());
     broken[0] = std::numeric_limits<double>::quiet_NaN();
-    BOOST_TEST(engine.step(broken, 0).exploded);
+    engine.actuate(broken, 1);
+    BOOST_TEST(engine.step(0).exploded);
     engine.load(model, environment);
-    BOOST_TEST(!engine.step(model.rest_lengths, 0).exploded);
+    BOOST_TEST(!engine.step(0).exploded);
 }

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Numbers side by side: `width` floats on which one instruction works at once, so that a law written as a
+// template on its number type serves one number and many. The only file with vector extensions and
+// intrinsics. Every operation rounds each lane as IEEE 754 says (no reciprocal estimates, no fused
+// multiply-add), so a lane's result does not depend on the width. The types are internal to each file that
+// includes this: files built for different instruction sets share no code through the linker.
+#pragma once
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace planula {
+
+namespace {
+
+// Vectors of the compiler; of one lane plain numbers.
+template <int width> struct VectorsOf {
+    typedef float Floats __attribute__((vector_size(4 * width)));
+    typedef int Ints __attribute__((vector_size(4 * width)));
+};
+template <> struct VectorsOf<1> {
+    using Floats = float;
+    using Ints = bool;
+};
+
+// What the compilers' vectors do not offer, or not in one instruction. Of two numbers that do not compare the
+// second is greater and less: as in std::max(second, first) and std::min.
+inline float root_of(float a) { return __builtin_sqrtf(a); }
+inline float greater_of(float a, float b) { return a > b ? a : b; }
+inline float lesser_of(float a, float b) { return a < b ? a : b; }
+#if defined(__x86_64__)
+inline __m128 root_of(__m128 a) { return _mm_sqrt_ps(a); }
+inline __m128 greater_of(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
+inline __m128 lesser_of(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
+#endif
+#if defined(__AVX__)
+inline __m256 root_of(__m256 a) { return _mm256_sqrt_ps(a); }
+inline __m256 greater_of(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+inline __m256 lesser_of(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
+#endif
+
+/// `width` floats: 1, or as many as the instruction set that this file is built for holds.
+template <int width_> struct Lanes {
+    static constexpr int width = width_;
+    using Floats = typename VectorsOf<width>::Floats;
+    using Mask = typename VectorsOf<width>::Ints; // per lane, all bits set where true
+
+    Lanes() = default;
+    Lanes(double all) : value(static_cast<float>(all) - Floats{}) {}
+    static Lanes of(Floats value) {
+        Lanes result;
+        result.value = value;
+        return result;
+    }
+
+    friend Lanes operator+(Lanes a, Lanes b) { return of(a.value + b.value); }
+    friend Lanes operator-(Lanes a, Lanes b) { return of(a.value - b.value); }
+    friend Lanes operator*(Lanes a, Lanes b) { return of(a.value * b.value); }
+    friend Lanes operator/(Lanes a, Lanes b) { return of(a.value / b.value); }
+    friend Lanes operator-(Lanes a) { return of(-a.value); }
+    friend Mask operator<(Lanes a, Lanes b) { return a.value < b.value; }
+    friend Mask operator<=(Lanes a, Lanes b) { return a.value <= b.value; }
+
+    friend Lanes select(Mask mask, Lanes yes, Lanes no) { return of(mask ? yes.value : no.value); }
+    friend Lanes max(Lanes a, Lanes b) { return of(greater_of(b.value, a.value)); }
+    friend Lanes min(Lanes a, Lanes b) { return of(lesser_of(b.value, a.value)); }
+    friend Lanes sqrt(Lanes a) { return of(root_of(a.value)); }
+    friend Lanes abs(Lanes a) {
+        if constexpr (width == 1)
+            return of(__builtin_fabsf(a.value));
+        else
+            return of((Floats)((Mask)a.value & 0x7fffffff));
+    }
+
+    Floats value;
+};
+
+/// Four floats to a record, side by side in four numbers: a field each.
+template <class T> struct Fields { T a, b, c, d; };
+
+/// `T::width` numbers that lie one after another.
+template <class T> T load(const float *from) {
+    T result;
+    __builtin_memcpy(&result, from, sizeof result);
+    return result;
+}
+template <class T> void store(T value, float *to) { __builtin_memcpy(to, &value, sizeof value); }
+
+/// `T::width` numbers number_at(0), number_at(1), ….
+template <class T, class NumberAt> T load_each(const NumberAt &number_at) {
+    float numbers[T::width];
+    for (int lane = 0; lane < T::width; ++lane) numbers[lane] = number_at(lane);
+    return load<T>(numbers);
+}
+
+/// Whether a condition holds in every lane.
+template <class T> bool all_of(typename T::Mask mask) {
+    if constexpr (T::width == 1) {
+        return mask;
+    } else {
+        for (int lane = 0; lane < T::width; ++lane)
+            if (!mask[lane]) return false;
+        return true;
+    }
+}
+
+/// Rows to columns, in each block of four lanes.
+template <class T, class Floats = typename T::Floats>
+Fields<T> transposed(Floats r0, Floats r1, Floats r2, Floats r3) {
+    if constexpr (T::width == 4) {
+        const Floats ab01 = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
+        const Floats cd01 = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
+        const Floats ab23 = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
+        const Floats cd23 = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+        return {T::of(__builtin_shufflevector(ab01, ab23, 0, 1, 4, 5)),
+                T::of(__builtin_shufflevector(ab01, ab23, 2, 3, 6, 7)),
+                T::of(__builtin_shufflevector(cd01, cd23, 0, 1, 4, 5)),
+                T::of(__builtin_shufflevector(cd01, cd23, 2, 3, 6, 7))};
+    } else {
+        const Floats ab01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
+        const Floats cd01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
+        const Floats ab23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
+        const Floats cd23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
+        return {T::of(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)),
+                T::of(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
+                T::of(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)),
+                T::of(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
+    }
+}
+
+/// The four fields of `T::width` records, which lie at record_at(0), record_at(1), ….
+template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &record_at) {
+    if constexpr (T::width == 1) {
+        const float *r = record_at(0);
+        return {T::of(r[0]), T::of(r[1]), T::of(r[2]), T::of(r[3])};
+    }
+    using Four = VectorsOf<4>::Floats;
+    const auto row = [&](int i) {
+        Four four;
+        __builtin_memcpy(&four, record_at(i), sizeof four);
+        return four;
+    };
+    if constexpr (T::width == 4) return transposed<T>(row(0), row(1), row(2), row(3));
+    if constexpr (T::width == 8) {
+        const auto rows = [&](int i) {
+            return __builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+        };
+        return transposed<T>(rows(0), rows(1), rows(2), rows(3));
+    }
+}
+
+/// The fields of `T::width` records to records that lie one after another.
+template <class T> void store_fields(const Fields<T> &fields, float *to) {
+    if constexpr (T::width == 1) {
+        to[0] = fields.a.value, to[1] = fields.b.value, to[2] = fields.c.value, to[3] = fields.d.value;
+    } else {
+        const auto [r0, r1, r2, r3] =
+            transposed<T>(fields.a.value, fields.b.value, fields.c.value, fields.d.value);
+        if constexpr (T::width == 4) {
+            store(r0, to), store(r1, to + 4), store(r2, to + 8), store(r3, to + 12);
+        } else {
+            // Each holds two records, four apart.
+            const auto join = [](T one, T two) {
+                return T::of(__builtin_shufflevector(one.value, two.value, 0, 1, 2, 3, 8, 9, 10, 11));
+            };
+            const auto rest = [](T one, T two) {
+                return T::of(__builtin_shufflevector(one.value, two.value, 4, 5, 6, 7, 12, 13, 14, 15));
+            };
+            store(join(r0, r1), to), store(join(r2, r3), to + 8);
+            store(rest(r0, r1), to + 16), store(rest(r2, r3), to + 24);
+        }
+    }
+}
+
+} // namespace
+
+} // namespace planula

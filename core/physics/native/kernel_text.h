@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The text of a kernel, as a template on the lanes that it works on. Each lane is a node (or an outline link)
+// of its own and no sum goes across lanes, so the width changes no bit. Files that include this may be built
+// for instruction sets that not every processor has: all of it is internal to the file, and nothing of the
+// standard library is called, for the linker may keep one copy of such a function for the whole program.
+#pragma once
+
+#include "base/lanes.h"
+#include "physics/laws/drag.h"
+#include "physics/laws/ground.h"
+#include "physics/laws/pressure.h"
+#include "physics/laws/spring.h"
+#include "physics/native/kernel.h"
+
+namespace planula::native {
+
+namespace {
+
+/// Positions and velocities of as many nodes.
+template <class T> struct Nodes { Vec2<T> position, velocity; };
+
+template <class T> Nodes<T> load_nodes(const Record *records, const int *which) {
+    const auto fields = load_fields<T>([&](int lane) { return &records[which[lane]].x; });
+    return {{fields.a, fields.b}, {fields.c, fields.d}};
+}
+
+template <class T> Nodes<T> load_nodes(const Record *records) {
+    const auto fields = load_fields<T>([&](int lane) { return &records[lane].x; });
+    return {{fields.a, fields.b}, {fields.c, fields.d}};
+}
+
+template <class T> void store_nodes(const Nodes<T> &nodes, Record *records) {
+    store_fields(Fields<T>{nodes.position.x, nodes.position.y, nodes.velocity.x, nodes.velocity.y},
+                 &records->x);
+}
+
+/// The forces of springs and pressure on some nodes of a group, from lane `lane` on, added to `force`.
+template <class T>
+Vec2<T> add_fan(const StepTask &task, const Group &group, int lane, const Record *now, const Nodes<T> &self,
+                Vec2<T> force) {
+    const T stiffness(task.stiffness), damping(task.damping), knot_steps(task.knot_steps);
+    Vec2<T> before = load_nodes<T>(now, group.last + lane).position - self.position;
+    const Slot *const end = task.slots + group.first_slot + group.slots;
+    for (const Slot *slot = task.slots + group.first_slot; slot != end; ++slot) {
+        const Nodes<T> other = load_nodes<T>(now, slot->neighbour + lane);
+        const Vec2<T> offset = other.position - self.position;
+        const T pull = load<T>(slot->pull + lane) + knot_steps * load<T>(slot->pull_change + lane);
+        force += spring_force(offset, other.velocity - self.velocity, stiffness, pull, damping);
+        const Pressure<T> pressure{load<T>(slot->twice_area + lane), load<T>(slot->pressure_slope + lane)};
+        force += pressure_force(before, offset, pressure);
+        before = offset;
+    }
+    return force;
+}
+
+/// The ground below these nodes.
+template <class T> GroundPlane<T> ground_below(const StepTask &task, T x) {
+    if (task.slopes == 1) {
+        const auto &[point, normal] = task.ground->plane;
+        return {{point.x, point.y}, {normal.x, normal.y}};
+    }
+    float at[T::width], plane[4][T::width];
+    store(x, at);
+    for (int lane = 0; lane < T::width; ++lane) {
+        const Slope *slope = task.ground;
+        while (slope + 1 != task.ground + task.slopes && !(at[lane] < slope[1].from)) ++slope;
+        plane[0][lane] = slope->plane.point.x, plane[1][lane] = slope->plane.point.y;
+        plane[2][lane] = slope->plane.normal.x, plane[3][lane] = slope->plane.normal.y;
+    }
+    return {{load<T>(plane[0]), load<T>(plane[1])}, {load<T>(plane[2]), load<T>(plane[3])}};
+}
+
+template <class T> StepResult step(const StepTask &task, const Record *now, Record *next) {
+    const T time_step(task.time_step), slowing(task.slowing), fall(task.fall), friction(task.friction);
+    const T limit(task.squared_limit);
+    T fastest(0);
+    auto within = fastest <= limit;
+    for (int i = 0; i < task.group_count; ++i)
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            // The forces on these nodes.
+            const int node = i * group_size + lane;
+            const Nodes<T> self = load_nodes<T>(now + node);
+            const Vec2<T> push{load<T>(task.push_x + node), load<T>(task.push_y + node)};
+            const Vec2<T> force = add_fan(task, task.groups[i], lane, now, self, push);
+
+            // Semi-implicit Euler with the ground in between (MODEL B4).
+            Vec2<T> v = (self.velocity + force * time_step) * slowing;
+            v.y = v.y - fall;
+            if (task.slopes > 0)
+                v = ground_contact(self.position, v, ground_below(task, self.position.x), friction,
+                                   time_step);
+            store_nodes<T>({self.position + v * time_step, v}, next + node);
+
+            // The guard (B5); numbers that are not are within no limit.
+            const T squared = squared_length(v);
+            within = within & (squared <= limit);
+            fastest = max(fastest, squared);
+        }
+    float speeds[T::width];
+    store(fastest, speeds);
+    StepResult result{.beyond = !all_of<T>(within)};
+    for (const float speed : speeds)
+        result.squared_speed = speed > result.squared_speed ? speed : result.squared_speed;
+    return result;
+}
+
+template <class T> void drag(const DragTask &task, const Record *now, float *half_x, float *half_y) {
+    const T normal(task.normal), tangential(task.tangential);
+    const Vec2<T> flow{task.flow_x, task.flow_y};
+    for (int i = 0; i < task.group_count; ++i)
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            const Nodes<T> a = load_nodes<T>(now, task.outline[i].a + lane);
+            const Nodes<T> b = load_nodes<T>(now, task.outline[i].b + lane);
+            const Vec2<T> through = (a.velocity + b.velocity) * T(0.5) - flow;
+            const Vec2<T> half = drag_force(b.position - a.position, through, normal, tangential) * T(0.5);
+            store(half.x, half_x + i * group_size + lane);
+            store(half.y, half_y + i * group_size + lane);
+        }
+}
+
+template <class T> void reach_knot(const KnotTask &task, Slot *slots) {
+    const T per_step = T(1) / T(task.steps);
+    for (int i = 0; i < task.group_count; ++i)
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            const T own = load<T>(task.elongation + i * group_size + lane);
+            Slot *slot = slots + task.groups[i].first_slot;
+            for (Slot *const end = slot + task.groups[i].slots; slot != end; ++slot) {
+                const T other =
+                    load_each<T>([&](int j) { return task.elongation[slot->neighbour[lane + j]]; });
+                const T from = load<T>(slot->next_pull + lane);
+                const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
+                store(from, slot->pull + lane);
+                store((to - from) * per_step, slot->pull_change + lane);
+                store(to, slot->next_pull + lane);
+            }
+        }
+}
+
+template <class T> Kernel kernel_of(const char *name) { return {name, step<T>, drag<T>, reach_knot<T>}; }
+
+} // namespace
+
+} // namespace planula::native

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "physics/native/layout.h"
+
+#include "physics/laws/pressure.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace planula::native {
+
+namespace {
+
+/// A neighbour of a node.
+struct Spoke {
+    int neighbour, link;
+    int before = -1,
+        triangle = -1; // with which neighbour it makes a triangle, clockwise of it; -1: with none
+};
+using Fan = std::vector<Spoke>;
+
+/// Counter-clockwise runs of triangles, from the lowest neighbour that starts one on; a closed fan from its
+/// lowest neighbour.
+Fan in_order(Fan spokes) {
+    Fan fan;
+    while (!spokes.empty()) {
+        auto next = std::find_if(spokes.begin(), spokes.end(), [](const Spoke &s) { return s.triangle < 0; });
+        if (next == spokes.end()) next = spokes.begin();
+        while (next != spokes.end()) {
+            const int neighbour = next->neighbour;
+            fan.push_back(*next);
+            spokes.erase(next);
+            next = std::find_if(spokes.begin(), spokes.end(),
+                                [&](const Spoke &s) { return s.before == neighbour; });
+        }
+    }
+    return fan;
+}
+
+/// The fan of every cell.
+std::vector<Fan> fans(const SoftBodyModel &model) {
+    std::vector<Fan> result(model.positions.size());
+    for (std::size_t i = 0; i < model.links.size(); ++i) {
+        const auto [a, b] = model.links[i];
+        result[a].push_back({b, static_cast<int>(i)});
+        result[b].push_back({a, static_cast<int>(i)});
+    }
+    for (std::size_t i = 0; i < model.triangles.size(); ++i) {
+        const auto [a, b, c] = model.triangles[i];
+        const auto set = [&](int corner, int first, int second) {
+            for (Spoke &spoke : result[corner])
+                if (spoke.neighbour == second) spoke.before = first, spoke.triangle = static_cast<int>(i);
+        };
+        set(a, b, c), set(b, c, a), set(c, a, b);
+    }
+    for (Fan &fan : result) fan = in_order(std::move(fan));
+    return result;
+}
+
+/// What one lane of a slot holds of this spoke.
+void fill(const SoftBodyModel &model, const Spoke &spoke, int neighbour, int lane, Slot &slot) {
+    const Parameters &p = model.parameters;
+    slot.neighbour[lane] = neighbour;
+    const auto pull = static_cast<float>(p.spring_stiffness * model.rest_lengths[spoke.link]);
+    slot.pull[lane] = slot.natural_pull[lane] = slot.next_pull[lane] = pull;
+    if (spoke.triangle < 0) return;
+    const auto pressure = pressure_of<float>(model.areas[spoke.triangle], p.pressure_stiffness, p.area_floor);
+    slot.twice_area[lane] = pressure.twice_area, slot.pressure_slope[lane] = pressure.slope;
+}
+
+/// Outline and contact cells by the nodes' numbers.
+SoftBodyModel renumbered(const SoftBodyModel &model, const std::vector<int> &node_of) {
+    SoftBodyModel result{.outline = model.outline,
+                         .contact_cells = model.contact_cells,
+                         .masked = model.masked,
+                         .parameters = model.parameters};
+    for (OutlineLink &link : result.outline) link.a = node_of[link.a], link.b = node_of[link.b];
+    for (int &cell : result.contact_cells) cell = node_of[cell];
+    return result;
+}
+
+} // namespace
+
+Layout lay_out(const SoftBodyModel &model) {
+    // The order of nodes, twins included, and its inverse.
+    const std::vector<Fan> fan = fans(model);
+    std::vector<char> on_outline(fan.size());
+    for (const OutlineLink &link : model.outline) on_outline[link.a] = on_outline[link.b] = 1;
+    Layout layout{.nodes = model.nodes()};
+    layout.cell_of.resize(fan.size());
+    std::iota(layout.cell_of.begin(), layout.cell_of.end(), 0);
+    std::stable_sort(layout.cell_of.begin(), layout.cell_of.end(), [&](int a, int b) {
+        return std::pair(on_outline[a], fan[a].size()) < std::pair(on_outline[b], fan[b].size());
+    });
+    std::vector<int> node_of(fan.size());
+    for (int node = 0; node < layout.nodes; ++node) node_of[layout.cell_of[node]] = node;
+    while (layout.cell_of.size() % group_size != 0) layout.cell_of.push_back(layout.cell_of.back());
+    layout.first_outline_node =
+        layout.nodes - static_cast<int>(std::count(on_outline.begin(), on_outline.end(), 1));
+
+    // Slots of eight fans each.
+    for (std::size_t start = 0; start < layout.cell_of.size(); start += group_size) {
+        Group group{.first_slot = static_cast<int>(layout.slots.size())};
+        for (int lane = 0; lane < group_size; ++lane) {
+            const int node = static_cast<int>(start) + lane, cell = layout.cell_of[node];
+            const int size = static_cast<int>(fan[cell].size());
+            while (group.slots < size) {
+                layout.slots.push_back({});
+                for (int other = 0; other < group_size; ++other)
+                    layout.slots.back().neighbour[other] = static_cast<int>(start) + other;
+                ++group.slots;
+            }
+            for (int i = 0; i < size; ++i)
+                fill(model, fan[cell][i], node_of[fan[cell][i].neighbour], lane,
+                     layout.slots[group.first_slot + i]);
+            group.last[lane] = size > 0 ? node_of[fan[cell].back().neighbour] : node;
+        }
+        layout.groups.push_back(group);
+    }
+
+    layout.model = renumbered(model, node_of);
+    layout.outline.resize((model.outline.size() + group_size - 1) / group_size);
+    for (std::size_t i = 0; i < model.outline.size(); ++i) {
+        OutlineGroup &group = layout.outline[i / group_size];
+        group.a[i % group_size] = layout.model.outline[i].a;
+        group.b[i % group_size] = layout.model.outline[i].b;
+    }
+    return layout;
+}
+
+} // namespace planula::native

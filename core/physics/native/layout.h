@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A soft body laid out for computing several nodes at once (§2.5; MODEL section 3). Nodes lie in groups of 8,
+// whatever the width of the instructions. Each node walks round the fan of its neighbours,
+// counter-clockwise, and sums its own force: every spring is computed at both of its ends, with forces equal
+// and opposite to the bit, and every triangle at its three corners. The order of these sums follows from
+// links and triangles alone: not from coordinates, so that a turned body has the same.
+#pragma once
+
+#include "physics/soft_body.h"
+
+#include <vector>
+
+namespace planula::native {
+
+inline constexpr int group_size = 8;
+
+/// One node's state.
+struct Record {
+    float x, y, vx, vy;
+};
+
+/// One neighbour of each node of a group, the spring to it, and the triangle between the neighbour before and
+/// this one. Where a node has no such neighbour it is its own, with constants 0: its force is exactly 0.
+struct alignas(32) Slot {
+    int neighbour[group_size];
+    float pull[group_size];                                   // k·L at the last knot
+    float pull_change[group_size];                            // and its change in a step
+    float twice_area[group_size], pressure_slope[group_size]; // of the triangle's pressure
+    float natural_pull[group_size];                           // k·L without muscles
+    float next_pull[group_size];                              // k·L at the coming knot
+};
+
+struct Group {
+    int last[group_size]; // each node's last neighbour, which closes the fan before its first
+    int first_slot, slots;
+};
+
+/// Eight links of the outline; past the last of them from node 0 to itself.
+struct OutlineGroup {
+    int a[group_size] = {}, b[group_size] = {};
+};
+
+struct Layout {
+    int nodes = 0; // of the body; up to the next multiple of 8 follow twins of the last one, which move as it
+    std::vector<int> cell_of; // each node's number in the model; also of twins
+    int first_outline_node = 0;
+    std::vector<Group> groups;
+    std::vector<Slot> slots;
+    std::vector<OutlineGroup> outline;
+    SoftBodyModel model; // with the nodes' numbers in its outline and contact cells, and no more
+};
+
+/// Inner nodes come first and those of the outline after them, each by number of neighbours.
+Layout lay_out(const SoftBodyModel &model);
+
+} // namespace planula::native
