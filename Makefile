@@ -80,6 +80,13 @@ keep-data: ## copy build/data to data/, the tracked tables that `make paper` pre
 	@cp $(OUT)/data/*.csv data/
 	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables copied from $(OUT)/data; commit them with the design that made them'
 
+sensitivity: program ## halve and double every assumed value for evolved animats: build/data/sensitivity.csv
+	@$(PLANULA) run experiments/sensitivity.lua --out $(OUT)/runs/sensitivity
+	@rm -rf $(OUT)/data.new
+	@$(PLANULA) sensitivity experiments/sensitivity.lua --runs $(OUT)/runs/sensitivity --out $(OUT)/data.new > /dev/null
+	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
+	@echo 'sensitivity: $(OUT)/data/sensitivity.csv; the next `make paper` has its table'
+
 ##@ Building and checking
 build: deps build/CMakeCache.txt ## the program and all tests
 	@echo 'build: compiling the program and all tests, minutes the first time …'
@@ -122,7 +129,7 @@ deps: ## packages to build and test
 deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data build program signature \
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data sensitivity build program signature \
         verify-signature torture lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
@@ -191,9 +198,9 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
 
 # The article: twice, for its references. The folder of the data is handed to TeX as two macros. It does without the
-# tables of the witness where tracked data have none.
+# tables of the witness and of sensitivity where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
-    $(wildcard $(WITNESS:%=$(DATA)/%.csv))
+    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv)
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)

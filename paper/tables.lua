@@ -91,8 +91,11 @@ function tables.open(data_folder, frames_folder)
   for _, name in ipairs { 'settings', 'runs', 'curves', 'entropy', 'outcomes', 'claims', 'parameters' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
-  -- Champions are witnessed in data of their own making; tracked data may be without.
-  if lfs.isfile(data_folder .. '/engines.csv') then data.engines = csv.read(data_folder .. '/engines.csv') end
+  -- Tables that take a command of their own; data may be without.
+  for _, name in ipairs { 'engines', 'witness', 'sensitivity' } do
+    local file = data_folder .. '/' .. name .. '.csv'
+    data[name] = lfs.isfile(file) and csv.read(file) or {}
+  end
   data.parameter = {}
   for _, row in ipairs(data.parameters) do data.parameter[row.name] = row end
   for _, row in ipairs(csv.read(frames_folder .. '/morphologies.csv')) do frames[row.setting] = row end
@@ -147,9 +150,9 @@ end
 function tables.verdicts(verdict) return tostring(#csv.where(data.claims, { verdict = verdict })) end
 function tables.claims_judged() return tostring(#data.claims) end
 
--- A part of the article that the tables of the witness carry; nothing without them.
-function tables.input_if_witnessed(file)
-  if data.engines and #data.engines > 0 then tex.print('\\input{' .. file .. '}') end
+-- A part of the article that a table carries; nothing without it.
+function tables.input_with(name, file)
+  if #data[name] > 0 then tex.print('\\input{' .. file .. '}') end
 end
 
 -- A count of all settings' champions: champions or flagged.
@@ -189,6 +192,8 @@ local function median(values)
   return #values % 2 == 1 and values[middle + 1] or (values[middle] + values[middle + 1]) / 2
 end
 
+local function percent_of(text) return tonumber(text) and ('%.1f'):format(100 * tonumber(text)) or '--' end
+
 -- Each setting: its size and its best run.
 function tables.print_settings()
   local lines = { '\\begin{tabular}{lrrrrrrrr}', '\\toprule',
@@ -213,20 +218,99 @@ end
 
 -- The champions of each setting in other hands: changes in per cent.
 function tables.print_engines()
-  local lines = { '\\begin{tabular}{lrrrrrrr}', '\\toprule',
-    ' & & \\multicolumn{2}{c}{half the step} & & \\multicolumn{2}{c}{Bullet} & rank \\\\',
-    '\\cmidrule(lr){3-4}\\cmidrule(lr){6-7}',
-    'setting & champions & median & largest & flagged & median & largest & correlation \\\\', '\\midrule' }
-  local function percent(text) return tonumber(text) and ('%.1f'):format(100 * tonumber(text)) or '--' end
+  local lines = { '\\begin{tabular}{lrrrrrrrrr}', '\\toprule',
+    ' & & \\multicolumn{2}{c}{half the step} & \\multicolumn{2}{c}{Bullet} & rank & \\multicolumn{3}{c}{champions that are} \\\\',
+    '\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}\\cmidrule(l){8-10}',
+    'setting & champions & median & largest & median & largest & corr. & flagged & chaotic & apart \\\\', '\\midrule' }
   for number, row in ipairs(data.engines) do
-    lines[#lines + 1] = table.concat({ short(row.setting), show(row.champions), percent(row.half_change_median),
-      percent(row.half_change_largest), show(row.flagged), percent(row.bullet_change_median), percent(row.bullet_change_largest),
-      tonumber(row.rank_correlation) and ('$%.2f$'):format(tonumber(row.rank_correlation)) or '--' }, ' & ') .. ' \\\\'
+    lines[#lines + 1] = table.concat({ short(row.setting), show(row.champions), percent_of(row.half_change_median),
+      percent_of(row.half_change_largest), percent_of(row.bullet_change_median), percent_of(row.bullet_change_largest),
+      tonumber(row.rank_correlation) and ('$%.2f$'):format(tonumber(row.rank_correlation)) or '--',
+      show(row.flagged), show(row.chaotic), show(row.apart) }, ' & ') .. ' \\\\'
     if number % 2 == 0 and number < #data.engines then lines[#lines + 1] = '\\addlinespace[2pt]' end
   end
   lines[#lines + 1] = '\\bottomrule\\end{tabular}'
   tex.print(lines)
 end
+
+-- The fittest champion of each setting in both engines.
+function tables.print_witnessed_best()
+  local lines = { '\\begin{tabular}{lrrrrrrrl}', '\\toprule',
+    ' & & \\multicolumn{3}{c}{displacement} & nudged & \\multicolumn{2}{c}{height at rest} & \\\\',
+    '\\cmidrule(lr){3-5}\\cmidrule(lr){7-8}',
+    'setting & cells & ours & half step & Bullet & \\% & ours & Bullet & cause \\\\', '\\midrule' }
+  local function length(text) return tonumber(text) and ('%.2f'):format(tonumber(text)) or '--' end
+  for number, setting in ipairs(data.settings) do
+    local best
+    for _, row in ipairs(csv.where(data.witness, { setting = setting.setting })) do
+      if not best or tonumber(row.fitness) > tonumber(best.fitness) then best = row end
+    end
+    if best then
+      local land = setting.world == 'terrestrial'
+      lines[#lines + 1] = table.concat({ short(setting.setting), show(best.cells), length(best.displacement),
+        length(best.half_displacement), length(best.bullet_displacement),
+        ('%.3f'):format(100 * tonumber(best.nudged_change)), land and length(best.rest_height) or '',
+        land and length(best.bullet_rest_height) or '', escape(best.cause) }, ' & ') .. ' \\\\'
+      if number % 2 == 0 and number < #data.settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
+    end
+  end
+  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
+  tex.print(lines)
+end
+
+-- The combinations of actuation and world, each with its two searches.
+local combinations = { { '^osc%-aq', 'OSC AQ' }, { '^osc%-te', 'OSC TE' }, { '^grn%-aq', 'GRN AQ' }, { '^grn%-te', 'GRN TE' } }
+
+-- The rows of sensitivity by parameter, in order; in each, by column: the combinations halved, then doubled.
+local function sensitivity_by_parameter()
+  local order, by_name = {}, {}
+  for _, row in ipairs(data.sensitivity) do
+    local entry = by_name[row.parameter]
+    if not entry then
+      entry = { name = row.parameter, standard = row.standard }
+      by_name[row.parameter], order[#order + 1] = entry, entry
+    end
+    local first = tonumber(row.value) < tonumber(row.standard) and 0 or #combinations
+    for column, combination in ipairs(combinations) do
+      if row.setting:find(combination[1]) then
+        local cell = entry[first + column] or {}
+        entry[first + column], cell[#cell + 1] = cell, row
+      end
+    end
+  end
+  return order
+end
+
+-- The mean of the searches' median ratios; a dagger where either lost more than a tenth of its viable.
+local function sensitivity_cell(rows)
+  if not rows then return '' end
+  local sum, count, lost = 0, 0, false
+  for _, row in ipairs(rows) do
+    local ratio = tonumber(row.ratio_median)
+    if ratio then sum, count = sum + ratio, count + 1 end
+    lost = lost or tonumber(row.viable_after) < 0.9 * tonumber(row.viable_before)
+  end
+  return (count > 0 and ('%.2f'):format(sum / count) or '--') .. (lost and '\\rlap{$^\\dagger$}' or '')
+end
+
+-- What half and twice an assumed value do to displacement.
+function tables.print_sensitivity()
+  local heads = {}
+  for _ = 1, 2 do for _, combination in ipairs(combinations) do heads[#heads + 1] = combination[2] end end
+  local lines = { '\\begin{tabular}{lr@{\\quad}rrrr@{\\quad}rrrr}', '\\toprule',
+    ' & & \\multicolumn{4}{c}{halved} & \\multicolumn{4}{c}{doubled} \\\\', '\\cmidrule(r){3-6}\\cmidrule(l){7-10}',
+    'parameter & value & ' .. table.concat(heads, ' & ') .. ' \\\\', '\\midrule' }
+  for _, entry in ipairs(sensitivity_by_parameter()) do
+    local cells = { '\\texttt{' .. escape(entry.name) .. '}', literal(entry.standard) }
+    for column = 1, 2 * #combinations do cells[#cells + 1] = sensitivity_cell(entry[column]) end
+    lines[#lines + 1] = table.concat(cells, ' & ') .. ' \\\\'
+  end
+  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
+  tex.print(lines)
+end
+
+-- A number of the sample behind that table.
+function tables.sensitivity(column) return show(data.sensitivity[1][column]) end
 
 -- What became of the individuals, in the first and in the last generation.
 function tables.print_outcomes()

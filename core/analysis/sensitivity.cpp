@@ -83,6 +83,8 @@ std::vector<Sample> draw_samples(std::span<const Spec> settings, const std::file
         if (setting.runs.empty()) continue;
         Sample &sample = samples.emplace_back();
         sample.spec = setting.spec;
+        sample.population = setting.runs.front().population;
+        sample.generations = setting.generations;
         sample.genomes = draw(setting, count);
         sample.lives = live_all(sample.genomes, *sample.spec, threads);
     }
@@ -118,6 +120,8 @@ SensitivityRow vary(const Sample &sample, const Spec &changed, std::string_view 
                        .parameter = std::string(name),
                        .standard = parameter(sample.spec->parameters, name),
                        .value = parameter(changed.parameters, name),
+                       .population = sample.population,
+                       .generations = sample.generations,
                        .sampled = static_cast<int>(after.size()),
                        .viable_before = viable(sample.lives),
                        .viable_after = viable(after)};

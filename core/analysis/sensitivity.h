@@ -19,6 +19,7 @@ namespace planula {
 /// Individuals of one setting and their lives with the standard values.
 struct Sample {
     const Spec *spec = nullptr;
+    int population = 0, generations = 0; // of the runs; of different lengths, the shortest
     std::vector<Genome> genomes;
     std::vector<Life> lives;
 };

@@ -192,8 +192,8 @@ BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_parameter_and_factor_that_co
     BOOST_TEST(said.out == data + '\n');
     BOOST_TEST(test::contains(said.err, "sensitivity: drag_normal, 1 of 3\n"), said.err);
     const std::string table = content(fs::path(data) / "sensitivity.csv");
-    for (const char *row : {"\nsmall,drag_normal,1,0.5,20,", "\nsmall,drag_normal,1,2,20,",
-                            "\nsmall,minimum_cells,8,4,20,", "\nsmall,minimum_cells,8,16,20,"})
+    for (const char *row : {"\nsmall,drag_normal,1,0.5,30,1,20,", "\nsmall,drag_normal,1,2,30,1,20,",
+                            "\nsmall,minimum_cells,8,4,30,1,20,", "\nsmall,minimum_cells,8,16,30,1,20,"})
         BOOST_TEST(test::contains(table, row), table);
     BOOST_TEST(!test::contains(table, "gravity"), table);
 }
