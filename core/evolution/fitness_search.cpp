@@ -18,4 +18,8 @@ std::vector<double> FitnessSearch::score(const Population &population,
     return scores;
 }
 
+void FitnessSearch::save(StateWriter &writer) const { writer.group("fitness search"); }
+
+void FitnessSearch::load(StateReader &reader) { reader.group("fitness search"); }
+
 } // namespace planula

@@ -11,6 +11,8 @@ class FitnessSearch final : public Search {
     /// The fitness of each valid individual, in which the penalty is already contained; 0 for all others.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
     bool shares_fitness() const override { return true; }
+    void save(StateWriter &writer) const override;
+    void load(StateReader &reader) override;
 };
 
 } // namespace planula

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace planula {
 
@@ -124,6 +125,34 @@ void NoveltySearch::extend_archive(const Population &population, std::span<const
     if (quiet_ < parameters_.archive_patience) return;
     threshold_ = std::max(parameters_.archive_floor, threshold_ * parameters_.archive_lower);
     quiet_ = 0;
+}
+
+void NoveltySearch::save(StateWriter &writer) const {
+    writer.group("novelty search").real(threshold_).integer(run_).integer(quiet_);
+    writer.integer(static_cast<std::int64_t>(length_)).integer(static_cast<std::int64_t>(archive_.size()));
+    for (const ArchiveEntry &entry : archive_) {
+        writer.integer(entry.generation).integer(entry.genome).real(entry.novelty);
+        for (const double value : entry.behaviour) writer.real(value);
+    }
+}
+
+void NoveltySearch::load(StateReader &reader) {
+    constexpr int largest = std::numeric_limits<int>::max();
+    reader.group("novelty search");
+    threshold_ = reader.finite();
+    if (threshold_ < 0) reader.refuse("a threshold is below 0");
+    run_ = static_cast<int>(reader.integer(0, largest));
+    quiet_ = static_cast<int>(reader.integer(0, largest));
+    length_ = static_cast<std::size_t>(reader.integer(0, largest));
+    archive_.resize(reader.count((3 + length_) * 8));
+    for (ArchiveEntry &entry : archive_) {
+        entry.generation = static_cast<int>(reader.integer(0, largest));
+        entry.genome = reader.integer(0, std::numeric_limits<std::int64_t>::max());
+        entry.novelty = reader.finite();
+        entry.behaviour.resize(length_);
+        for (double &value : entry.behaviour) value = reader.finite();
+    }
+    if (length_ == 0 && !archive_.empty()) reader.refuse("an archive has entries without behaviour");
 }
 
 } // namespace planula

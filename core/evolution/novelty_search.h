@@ -24,6 +24,8 @@ class NoveltySearch final : public Search {
     bool shares_fitness() const override { return false; }
     std::span<const ArchiveEntry> archive() const override { return archive_; }
     double archive_threshold() const override { return threshold_; }
+    void save(StateWriter &writer) const override;
+    void load(StateReader &reader) override;
 
   private:
     void check_behaviours(std::span<const Evaluation> evaluations);

@@ -3,6 +3,7 @@
 // mating and mutation are the same for all (evolution/reproduce.h).
 #pragma once
 
+#include "base/state.h"
 #include "evolution/evaluation.h"
 #include "evolution/population.h"
 
@@ -35,6 +36,12 @@ class Search {
     virtual std::span<const ArchiveEntry> archive() const { return {}; }
     /// The archive's present threshold; 0 for searches without one.
     virtual double archive_threshold() const { return 0; }
+
+    /// All that score() remembers of earlier generations.
+    virtual void save(StateWriter &writer) const = 0;
+    /// Goes on where save() was called, in a search of the same name and parameters. Throws InputError, and
+    /// must not be used any more, if the state is not sound.
+    virtual void load(StateReader &reader) = 0;
 };
 
 /// The names that make_search knows: "neat", "novelty".

@@ -23,6 +23,16 @@ BOOST_AUTO_TEST_CASE(the_score_is_the_fitness_as_judged_and_zero_for_the_invalid
     BOOST_TEST(search.archive_threshold() == 0);
 }
 
+BOOST_AUTO_TEST_CASE(it_remembers_nothing_but_its_name) {
+    StateWriter writer;
+    FitnessSearch().save(writer);
+    StateReader reader(writer.bytes());
+    FitnessSearch().load(reader);
+    reader.done();
+    StateReader short_of_one(std::string_view(writer.bytes()).substr(1));
+    BOOST_CHECK_THROW(FitnessSearch().load(short_of_one), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(fitness_that_is_no_number_is_a_broken_promise) {
     Population population;
     population.genomes.resize(1);

@@ -233,6 +233,71 @@ BOOST_AUTO_TEST_CASE(fitness_is_never_read_and_nothing_is_shared) {
     BOOST_TEST(!one.search.shares_fitness());
 }
 
+BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {
+    const auto live = [](Run &run, int first, int last) {
+        std::vector<double> scores;
+        for (int i = first; i < last; ++i) {
+            Stream stream(2, i, 0, Purpose::sampling);
+            std::vector<Evaluation> evaluations;
+            for (int slot = 0; slot < 20; ++slot) {
+                const double x = 20 * stream.triangular(), y = 20 * stream.triangular();
+                evaluations.push_back(at({x, y}, stream.below(3) / 2.0));
+            }
+            for (const double score : run.generation(evaluations)) scores.push_back(score);
+        }
+        return scores;
+    };
+    Parameters parameters = nearest(3);
+    parameters.archive_patience = 2;
+    parameters.archive_threshold = 4;
+    for (const int stop : {0, 1, 13}) {
+        Run through(parameters), before(parameters), after(parameters);
+        live(through, 0, stop);
+        live(before, 0, stop);
+        StateWriter writer;
+        before.search.save(writer);
+        StateReader reader(writer.bytes());
+        after.search.load(reader);
+        reader.done();
+        after.population.generation = stop;
+        BOOST_TEST(live(through, stop, 40) == live(after, stop, 40), per_element());
+        BOOST_TEST(through.search.archive_threshold() == after.search.archive_threshold());
+        BOOST_TEST(through.search.archive().size() == after.search.archive().size());
+        BOOST_TEST(through.search.archive().size() > 20u);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
+    Run run(nearest(1));
+    run.explore(3);
+    StateWriter whole;
+    run.search.save(whole);
+    for (std::size_t length = 0; length < whole.bytes().size(); ++length) {
+        StateReader reader(std::string_view(whole.bytes()).substr(0, length));
+        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader), InputError);
+    }
+    const auto refused = [](const StateWriter &writer) {
+        StateReader reader(writer.bytes());
+        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader), InputError);
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto head = [](double threshold, int run_of_additions, int length, int entries) {
+        StateWriter writer;
+        writer.group("novelty search").real(threshold).integer(run_of_additions).integer(0);
+        writer.integer(length).integer(entries);
+        return writer;
+    };
+    refused(StateWriter().group("fitness search"));
+    refused(head(nan, 0, 0, 0));
+    refused(head(-1, 0, 0, 0));
+    refused(head(1, -1, 0, 0));
+    refused(head(1, 0, -1, 0));
+    refused(head(1, 0, 2, 1000));
+    refused(head(1, 0, 0, 1).integer(0).integer(0).real(1)); // an entry without behaviour
+    refused(head(1, 0, 1, 1).integer(0).integer(0).real(1).real(nan));
+    refused(head(1, 0, 1, 1).integer(-1).integer(0).real(1).real(1));
+}
+
 BOOST_AUTO_TEST_CASE(behaviours_that_cannot_be_compared_are_the_users_error) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     BOOST_CHECK_THROW(Run(Parameters()).generation({at({})}), InputError);

@@ -83,6 +83,8 @@ struct FakeSearch : Search {
     bool shares_fitness() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return entries; }
     double archive_threshold() const override { return threshold; }
+    void save(StateWriter &) const override {}
+    void load(StateReader &) override {}
 };
 
 inline Spec fake_spec(const std::string &name, int generations, int population) {
