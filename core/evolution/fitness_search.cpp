@@ -2,6 +2,7 @@
 #include "evolution/fitness_search.h"
 
 #include "base/check.h"
+#include "evolution/reproduce.h"
 
 #include <cmath>
 
@@ -16,6 +17,11 @@ std::vector<double> FitnessSearch::score(const Population &population,
         CHECK(scores.back() >= 0 && std::isfinite(scores.back()), scores.back());
     }
     return scores;
+}
+
+Population FitnessSearch::next(const Population &population, std::span<const double> scores,
+                               const NetworkShape &shape, std::uint64_t seed) const {
+    return reproduce(population, scores, true, shape.recurrent, parameters_, seed);
 }
 
 void FitnessSearch::save(StateWriter &writer) const { writer.group("fitness search"); }

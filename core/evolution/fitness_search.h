@@ -8,11 +8,17 @@ namespace planula {
 
 class FitnessSearch final : public Search {
   public:
+    explicit FitnessSearch(const Parameters &parameters) : parameters_(parameters) {}
+
     /// The fitness of each valid individual, in which the penalty is already contained; 0 for all others.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
-    bool shares_fitness() const override { return true; }
+    Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
+                    std::uint64_t seed) const override;
     void save(StateWriter &writer) const override;
     void load(StateReader &reader) override;
+
+  private:
+    Parameters parameters_;
 };
 
 } // namespace planula

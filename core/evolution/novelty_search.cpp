@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "evolution/reproduce.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,11 @@ std::vector<double> NoveltySearch::score(const Population &population,
     extend_archive(population, evaluations, scores);
     for (std::size_t slot = 0; slot < scores.size(); ++slot) scores[slot] *= evaluations[slot].penalty;
     return scores;
+}
+
+Population NoveltySearch::next(const Population &population, std::span<const double> scores,
+                               const NetworkShape &shape, std::uint64_t seed) const {
+    return reproduce(population, scores, false, shape.recurrent, parameters_, seed);
 }
 
 void NoveltySearch::check_behaviours(std::span<const Evaluation> evaluations) {

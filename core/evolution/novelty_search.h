@@ -21,7 +21,9 @@ class NoveltySearch final : public Search {
     /// ρ × penalty; 0 for invalid individuals. Throws InputError if a valid individual has no behaviour, one
     /// that is not finite, or one of another length than the rest of the run.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
-    bool shares_fitness() const override { return false; }
+    Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
+                    std::uint64_t seed) const override;
+    bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_; }
     double archive_threshold() const override { return threshold_; }
     void save(StateWriter &writer) const override;

@@ -13,9 +13,10 @@
 
 namespace planula {
 
-/// The next generation, of parameters.population genomes. `scores` are in slot order, finite, and at least 0;
-/// `shared` is Search::shares_fitness(): without it a score is worth the same in every species. `recurrent`
-/// is the shape's: it allows links that do not climb in depth.
+/// The next generation, of parameters.population genomes. `scores` are in slot order, finite, and at least 0.
+/// `shared`: they are divided by the size of the species, with boosts for young and penalties for stagnating
+/// species; without it a score is worth the same in every species. `recurrent` is the shape's: it allows
+/// links that do not climb in depth.
 Population reproduce(const Population &population, std::span<const double> scores, bool shared,
                      bool recurrent, const Parameters &parameters, std::uint64_t seed);
 

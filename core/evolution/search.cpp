@@ -16,7 +16,7 @@ std::span<const std::string_view> search_names() {
 }
 
 std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters) {
-    if (name == "neat") return std::make_unique<FitnessSearch>();
+    if (name == "neat") return std::make_unique<FitnessSearch>(parameters);
     if (name == "novelty") return std::make_unique<NoveltySearch>(parameters);
     std::string known;
     for (const auto &each : search_names()) known += (known.empty() ? "'" : ", '") + std::string(each) + "'";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The search seam: what a population is rewarded for. A search turns evaluations into scores; speciation,
-// mating and mutation are the same for all (evolution/reproduce.h).
+// The search seam: what is rewarded, and who breeds. A search turns the evaluations of a generation into
+// scores, and makes the next generation: of that one alone, by NEAT's epoch (evolution/reproduce.h), or of
+// individuals that it has kept (evolution/brood.h). Crossover and mutation are the same for all
+// (evolution/breed.h).
 #pragma once
 
 #include "base/state.h"
@@ -30,14 +32,19 @@ class Search {
     /// One score per individual, in slot order; called once per generation, in order.
     virtual std::vector<double> score(const Population &population,
                                       std::span<const Evaluation> evaluations) = 0;
-    /// Whether scores are shared within species, with boosts for young and penalties for stagnating species.
-    virtual bool shares_fitness() const = 0;
-    /// The archive so far; empty for searches without one.
+    /// The generation after this one, whose `scores` are those of the last call of score(). All chance comes
+    /// from one stream per child: (seed; new generation, order of birth, reproduction).
+    virtual Population next(const Population &population, std::span<const double> scores,
+                            const NetworkShape &shape, std::uint64_t seed) const = 0;
+
+    /// Whether the search has an archive.
+    virtual bool keeps_archive() const { return false; }
+    /// The archive so far, in order of entry; it only grows.
     virtual std::span<const ArchiveEntry> archive() const { return {}; }
-    /// The archive's present threshold; 0 for searches without one.
+    /// The novelty that the archive asks for at present; 0 for searches that ask for none.
     virtual double archive_threshold() const { return 0; }
 
-    /// All that score() remembers of earlier generations.
+    /// All that the search remembers.
     virtual void save(StateWriter &writer) const = 0;
     /// Goes on where save() was called, in a search of the same name and parameters. Throws InputError, and
     /// must not be used any more, if the state is not sound.

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "evaluation/live.h"
-#include "evolution/reproduce.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ void run(const Spec &spec, std::uint64_t seed, int threads, const Observer &obse
         observe(
             {population.generation, population, lives, evaluations, scores, *search, fittest(evaluations)});
         if (population.generation + 1 >= p.generations) return;
-        population = reproduce(population, scores, search->shares_fitness(), shape.recurrent, p, seed);
+        population = search->next(population, scores, shape, seed);
     }
 }
 

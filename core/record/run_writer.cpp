@@ -196,7 +196,7 @@ void RunWriter::write_individuals(const Generation &generation) {
 /// An archive only grows: its new entries are those behind the ones written before.
 void RunWriter::write_archive(const Search &search) {
     const auto entries = search.archive();
-    if (!archive_ && search.archive_threshold() > 0) archive_.emplace(folder_);
+    if (!archive_ && search.keeps_archive()) archive_.emplace(folder_);
     CHECK(entries.size() >= archived_ && (archive_ || entries.empty()), entries.size(), archived_);
     for (; archived_ < entries.size(); ++archived_) archive_->write(entries[archived_]);
 }

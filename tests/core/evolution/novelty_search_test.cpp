@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "core/evolution/populations.h"
+#include "evolution/reproduce.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -226,11 +228,19 @@ BOOST_AUTO_TEST_CASE(novelty_agrees_bit_for_bit_with_full_sorting_in_any_order) 
     }
 }
 
-BOOST_AUTO_TEST_CASE(fitness_is_never_read_and_nothing_is_shared) {
+BOOST_AUTO_TEST_CASE(fitness_is_never_read) {
     Run one(nearest(1)), other(nearest(1));
     const auto scores = one.generation({{1, {0, 0}, 1}, {2, {3, 0}, 1}});
     BOOST_TEST((scores == other.generation({{9, {0, 0}, 1}, {0, {3, 0}, 1}})));
-    BOOST_TEST(!one.search.shares_fitness());
+}
+
+BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_without_sharing) {
+    const Population population = populations::far_apart({6, 2});
+    const std::vector<double> scores{3, 3, 3, 3, 3, 3, 1, 1};
+    const Parameters parameters = populations::frozen(8);
+    const Population next = NoveltySearch(parameters).next(population, scores, {2, 1, false}, 4);
+    BOOST_TEST((next.genomes == reproduce(population, scores, false, false, parameters, 4).genomes));
+    BOOST_TEST(populations::sizes(next) == (std::vector<int>{7, 1}), per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {

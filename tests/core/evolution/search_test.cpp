@@ -11,8 +11,8 @@ using namespace planula;
 
 BOOST_AUTO_TEST_CASE(every_name_makes_its_search) {
     for (const auto name : search_names()) BOOST_TEST(make_search(name, Parameters()) != nullptr);
-    BOOST_TEST(make_search("neat", Parameters())->shares_fitness());
-    BOOST_TEST(!make_search("novelty", Parameters())->shares_fitness());
+    BOOST_TEST(!make_search("neat", Parameters())->keeps_archive());
+    BOOST_TEST(make_search("novelty", Parameters())->keeps_archive());
     BOOST_TEST(make_search("novelty", Parameters())->archive_threshold() == 0.5);
 }
 

@@ -80,7 +80,11 @@ struct FakeSearch : Search {
     double threshold = 0;
 
     std::vector<double> score(const Population &, std::span<const Evaluation>) override { return {}; }
-    bool shares_fitness() const override { return true; }
+    Population next(const Population &population, std::span<const double>, const NetworkShape &,
+                    std::uint64_t) const override {
+        return population;
+    }
+    bool keeps_archive() const override { return threshold > 0; }
     std::span<const ArchiveEntry> archive() const override { return entries; }
     double archive_threshold() const override { return threshold; }
     void save(StateWriter &) const override {}
