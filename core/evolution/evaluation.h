@@ -3,6 +3,10 @@
 // animat.
 #pragma once
 
+#include "base/state.h"
+
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace planula {
@@ -13,6 +17,15 @@ struct Evaluation {
     double penalty = 0;            // p of Eq. 6, in [0, 1]; 0: the individual is not valid
 
     bool valid() const { return penalty > 0; }
+    bool operator==(const Evaluation &) const = default;
 };
+
+/// For searches that read descriptors: throws InputError if a valid individual has none, one that is not
+/// finite, or one of another length than `length`, which the first one sets while it is 0.
+void check_behaviours(std::span<const Evaluation> evaluations, std::size_t &length);
+
+void save(const Evaluation &evaluation, StateWriter &writer);
+/// Throws InputError unless a sound evaluation comes next.
+Evaluation load_evaluation(StateReader &reader);
 
 } // namespace planula

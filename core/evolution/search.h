@@ -5,8 +5,8 @@
 // (evolution/breed.h).
 #pragma once
 
-#include "base/state.h"
 #include "evolution/evaluation.h"
+#include "evolution/novelty_archive.h"
 #include "evolution/population.h"
 
 #include <memory>
@@ -16,14 +16,6 @@
 #include <vector>
 
 namespace planula {
-
-/// An individual in the archive of novelty search.
-struct ArchiveEntry {
-    int generation = 0;
-    std::int64_t genome = 0; // id
-    std::vector<double> behaviour;
-    double novelty = 0; // when it was added
-};
 
 class Search {
   public:

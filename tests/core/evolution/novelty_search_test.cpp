@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto head = [](double threshold, int run_of_additions, int length, int entries) {
         StateWriter writer;
-        writer.group("novelty search").real(threshold).integer(run_of_additions).integer(0);
+        writer.group("novelty search").group("archive").real(threshold).integer(run_of_additions).integer(0);
         writer.integer(length).integer(entries);
         return writer;
     };
@@ -303,9 +303,9 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     refused(head(1, -1, 0, 0));
     refused(head(1, 0, -1, 0));
     refused(head(1, 0, 2, 1000));
-    refused(head(1, 0, 0, 1).integer(0).integer(0).real(1)); // an entry without behaviour
-    refused(head(1, 0, 1, 1).integer(0).integer(0).real(1).real(nan));
-    refused(head(1, 0, 1, 1).integer(-1).integer(0).real(1).real(1));
+    refused(head(1, 0, 0, 1).integer(0).integer(0).real(1).real(1)); // an entry without behaviour
+    refused(head(1, 0, 1, 1).integer(0).integer(0).real(1).real(1).real(nan));
+    refused(head(1, 0, 1, 1).integer(-1).integer(0).real(1).real(1).real(1));
 }
 
 BOOST_AUTO_TEST_CASE(behaviours_that_cannot_be_compared_are_the_users_error) {
