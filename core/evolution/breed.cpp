@@ -28,29 +28,41 @@ Genome copy_of(const Genome &parent, Origin origin) {
     return child;
 }
 
-/// The slot of a father, rarely of any species, who differs from the mother if mate_tries draws find one.
-int draw_father(const Parents &parents, const Species &species, const Genome &mother,
+/// The parents of one child.
+struct Pairing {
+    const Parents &parents;
+    ParentDraw draw; // of a mother, and mostly of the father
+    bool alone;      // there is only one to draw
+};
+
+Pairing within(const Parents &parents, const Species &species, const Parameters &parameters) {
+    const auto draw = [&](Stream &stream) { return draw_parent(species, parameters, stream); };
+    return {parents, draw, species.members.size() == 1};
+}
+
+/// The slot of a father who differs from the mother if mate_tries draws find one.
+int draw_father(const Parents &parents, const ParentDraw &draw, const Genome &mother,
                 const Parameters &parameters, Stream &stream) {
     const auto alike = [&](int slot) {
         return parents.genomes[slot].id == mother.id ||
                distance(mother, parents.genomes[slot], parameters) <= parameters.clone_distance;
     };
-    int father = draw_parent(species, parameters, stream);
-    for (int tries = 0; tries < parameters.mate_tries && alike(father); ++tries)
-        father = draw_parent(species, parameters, stream);
+    int father = draw(stream);
+    for (int tries = 0; tries < parameters.mate_tries && alike(father); ++tries) father = draw(stream);
     return father;
 }
 
-Genome mate(const Parents &parents, const Species &species, int mother, const Parameters &parameters,
-            Stream &stream) {
-    // The father's species is drawn from all, and may be the own.
+Genome mate(const Pairing &pairing, int mother, const Parameters &parameters, Stream &stream) {
+    const Parents &parents = pairing.parents;
+    // Rarely the father's species is drawn from all, and may be the own.
     Crossing crossing;
     crossing.interspecies = stream.chance(parameters.interspecies_rate) && parents.species.size() > 1;
-    const Species &fathers =
-        crossing.interspecies
-            ? parents.species[stream.below(static_cast<std::uint32_t>(parents.species.size()))]
-            : species;
-    const int father = draw_father(parents, fathers, parents.genomes[mother], parameters, stream);
+    ParentDraw draw = pairing.draw;
+    if (crossing.interspecies) {
+        const auto any = stream.below(static_cast<std::uint32_t>(parents.species.size()));
+        draw = within(parents, parents.species[any], parameters).draw;
+    }
+    const int father = draw_father(parents, draw, parents.genomes[mother], parameters, stream);
 
     crossing.averaging = !stream.chance(parameters.multipoint_rate);
     if (mother == father) return copy_of(parents.genomes[mother], Origin::clone);
@@ -59,18 +71,27 @@ Genome mate(const Parents &parents, const Species &species, int mother, const Pa
 }
 
 /// One try at a child; a further try changes no structure.
-Genome conceive(const Parents &parents, const Species &species, bool first_try, bool recurrent,
-                const Parameters &parameters, Innovations &innovations, Stream &stream) {
-    const int mother = draw_parent(species, parameters, stream);
-    const bool mated = species.members.size() > 1 && stream.chance(parameters.crossover_rate);
-    Genome child = mated ? mate(parents, species, mother, parameters, stream)
-                         : copy_of(parents.genomes[mother], Origin::clone);
+Genome conceive(const Pairing &pairing, bool first_try, bool recurrent, const Parameters &parameters,
+                Innovations &innovations, Stream &stream) {
+    const int mother = pairing.draw(stream);
+    const bool mated = !pairing.alone && stream.chance(parameters.crossover_rate);
+    Genome child = mated ? mate(pairing, mother, parameters, stream)
+                         : copy_of(pairing.parents.genomes[mother], Origin::clone);
     if (mated && !stream.chance(parameters.mutation_rate)) return child;
 
     const bool mutated = first_try ? mutate(parameters, recurrent, innovations, stream, child)
                                    : mutate_weights(parameters, stream, child);
     if (mutated) child.origin = child.origin == Origin::clone ? Origin::mutation : Origin::crossover_mutation;
     return child;
+}
+
+Genome breed(const Pairing &pairing, std::span<const Genome> siblings, bool recurrent,
+             const Parameters &parameters, Innovations &innovations, Stream &stream) {
+    Genome child = conceive(pairing, true, recurrent, parameters, innovations, stream);
+    for (int tries = 1; tries < parameters.clone_tries && is_clone(child, siblings, parameters); ++tries)
+        child = conceive(pairing, false, recurrent, parameters, innovations, stream);
+    if (!has_dead_ends(child)) return child;
+    return copy_of(pairing.parents.genomes[pairing.draw(stream)], Origin::clone);
 }
 
 } // namespace
@@ -81,11 +102,13 @@ Genome copy_champion(const Parents &parents, const Species &species) {
 
 Genome breed(const Parents &parents, const Species &species, std::span<const Genome> siblings, bool recurrent,
              const Parameters &parameters, Innovations &innovations, Stream &stream) {
-    Genome child = conceive(parents, species, true, recurrent, parameters, innovations, stream);
-    for (int tries = 1; tries < parameters.clone_tries && is_clone(child, siblings, parameters); ++tries)
-        child = conceive(parents, species, false, recurrent, parameters, innovations, stream);
-    if (!has_dead_ends(child)) return child;
-    return copy_of(parents.genomes[draw_parent(species, parameters, stream)], Origin::clone);
+    return breed(within(parents, species, parameters), siblings, recurrent, parameters, innovations, stream);
+}
+
+Genome breed(const Parents &parents, const ParentDraw &draw, std::span<const Genome> siblings, bool recurrent,
+             const Parameters &parameters, Innovations &innovations, Stream &stream) {
+    return breed(Pairing{parents, draw, parents.genomes.size() == 1}, siblings, recurrent, parameters,
+                 innovations, stream);
 }
 
 } // namespace planula

@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "evolution/population.h"
 
+#include <functional>
 #include <span>
 
 namespace planula {
@@ -17,12 +18,19 @@ struct Parents {
     std::span<const Species> species; // none empty, each with its members by score, the highest first
 };
 
+/// Draws the slot of a parent.
+using ParentDraw = std::function<int(Stream &)>;
+
 /// The champion of a species, unchanged.
 Genome copy_champion(const Parents &parents, const Species &species);
 
 /// A child of this species, different from all its `siblings` if clone_tries tries can make it so. It has no
 /// id yet. Innovations are recorded for rejected tries, too.
 Genome breed(const Parents &parents, const Species &species, std::span<const Genome> siblings, bool recurrent,
+             const Parameters &parameters, Innovations &innovations, Stream &stream);
+
+/// The same for parents that know no species: each is drawn from all by `draw`.
+Genome breed(const Parents &parents, const ParentDraw &draw, std::span<const Genome> siblings, bool recurrent,
              const Parameters &parameters, Innovations &innovations, Stream &stream);
 
 } // namespace planula
