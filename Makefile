@@ -102,11 +102,12 @@ signature: program ## one hash over all eight settings must be the one in tests/
 verify-signature: deps ## the same, with a second compiler or optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps build/CMakeCache.txt ## the same, over compilers, optimisation levels, threads and a processor without AVX2 and FMA; 10^5 hostile genomes and 10^4 passive bodies
+torture: deps build/CMakeCache.txt ## the same, over compilers, optimisation levels, threads and a processor without AVX2 and FMA; 10^5 hostile genomes; 10^4 passive bodies; a run killed 200 times
 	@bash tests/torture/signature.sh --all
-	@cmake --build build --parallel $(JOBS) --target random_genomes passive_bodies > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
+	@cmake --build build --parallel $(JOBS) --target planula random_genomes passive_bodies > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
 	@build/tests/random_genomes 200000
 	@build/tests/passive_bodies 50000
+	@bash tests/torture/kills.sh $(PLANULA)
 
 lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
 	@failed=0; for check in layering sources format lint_test; do \

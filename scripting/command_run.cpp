@@ -8,6 +8,7 @@
 #include "scripting/progress.h"
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 
 namespace planula {
@@ -22,6 +23,7 @@ constexpr Option options[] = {
     set_option,
     {"only", "SETTING", "this setting and no other; may be repeated", true},
     {"out", "DIR", "where the runs go (default: build/runs/<experiment>)"},
+    {"checkpoint", "N", "generations between two checkpoints of a run (default: 10)"},
 };
 
 // One run that the command asks for.
@@ -50,6 +52,7 @@ class RunCommand {
   public:
     RunCommand(const Arguments &arguments, Console &console)
         : console_(console), experiment_(experiment_of(arguments, console)), threads_(threads_of(arguments)),
+          interval_(arguments.whole("checkpoint", 1, RunWriter::usual_interval)),
           out_(runs_folder(arguments, "out", experiment_)), seeds_(seeds_of(arguments, experiment_)),
           settings_(chosen_settings(arguments, experiment_)) {}
 
@@ -62,7 +65,7 @@ class RunCommand {
         try {
             for (const Task &task : tasks) run_task(task, interrupt, progress);
         } catch (const Stopped &) {
-            throw Stopped("stopped; finished runs are kept, and the same command goes on");
+            throw Stopped("stopped; what was done is kept, and the same command goes on");
         }
         progress.tell(to_text(static_cast<std::int64_t>(tasks.size())) + " runs done, in " + out_.string());
         return 0;
@@ -80,12 +83,33 @@ class RunCommand {
             for (const std::size_t i : settings_) {
                 const Spec &setting = experiment_.settings[i];
                 const auto folder = run_folder(out_, setting.name, seed);
-                if (!is_complete(folder, setting, seed, identity_of(experiment_, setting)))
+                if (!is_complete(folder, setting, seed, identity_of(experiment_, setting))) {
                     tasks.push_back({i, seed});
-                else
-                    console_.err << folder.string() << ": complete already, skipped\n";
+                    continue;
+                }
+                console_.err << folder.string() << ": complete already, skipped\n";
+                remove_leftovers(folder);
             }
         return tasks;
+    }
+
+    // The beginning of a run, or where an earlier process left it.
+    static RunState start(const Spec &setting, std::uint64_t seed, RunWriter &writer, Hooks &hooks,
+                          Progress &progress) {
+        for (const std::filesystem::path &path : writer.damaged())
+            progress.tell(path.string() + ": damaged, passed over");
+        std::optional<RunState> left = writer.take_state();
+        if (!left) {
+            hooks.begin_run();
+            return begin(setting, seed);
+        }
+        hooks.continue_run(writer.memory());
+        const int done = left->population.generation;
+        progress.skip(std::int64_t{done} * setting.parameters.population);
+        progress.tell(setting.name + " seed " + to_text(static_cast<std::int64_t>(seed)) +
+                      ": goes on with generation " + to_text(done + 1) + " of " +
+                      to_text(setting.parameters.generations));
+        return std::move(*left);
     }
 
     void run_task(const Task &task, const Interrupt &interrupt, Progress &progress) {
@@ -93,18 +117,25 @@ class RunCommand {
         Hooks &hooks = *experiment_.hooks[task.setting];
         const std::string name = setting.name + " seed " + to_text(static_cast<std::int64_t>(task.seed));
         RunWriter writer(run_folder(out_, setting.name, task.seed), setting, task.seed,
-                         identity_of(experiment_, setting));
-        hooks.begin_run();
+                         identity_of(experiment_, setting), interval_);
         progress.begin(name, setting.parameters.generations);
-        double best = 0;
+        RunState state = start(setting, task.seed, writer, hooks, progress);
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
-            best = std::max(best, generation.evaluations[static_cast<std::size_t>(generation.best)].fitness);
-            progress.generation(generation.number, best, static_cast<int>(generation.lives.size()));
+            progress.generation(generation.number, writer.best_fitness(),
+                                static_cast<int>(generation.lives.size()));
         };
-        planula::run(setting, task.seed, threads_, observe, [&] { return interrupt.requested(); });
+        try {
+            planula::run(
+                setting, task.seed, threads_, state, observe,
+                [&](const RunState &now) { writer.between(now, hooks.memory()); },
+                [&] { return interrupt.requested(); });
+        } catch (const Stopped &) {
+            writer.keep(state, hooks.memory());
+            throw;
+        }
         writer.finish();
-        progress.tell(name + ": done, best " + to_fixed(best, 2));
+        progress.tell(name + ": done, best " + to_fixed(writer.best_fitness(), 2));
         if (hooks.invalid() > 0)
             progress.tell(name + ": " + to_text(hooks.invalid()) +
                           " individuals count as not valid, the first because: " + hooks.first_problem());
@@ -112,7 +143,7 @@ class RunCommand {
 
     Console &console_;
     const Experiment experiment_;
-    const int threads_;
+    const int threads_, interval_;
     const std::filesystem::path out_;
     const std::vector<std::uint64_t> seeds_;
     const std::vector<std::size_t> settings_;
@@ -123,17 +154,19 @@ int run_runs(const Arguments &arguments, Console &console) { return RunCommand(a
 } // namespace
 
 const Command &run_command() {
-    static const Command command{"run",
-                                 "FILE.lua",
-                                 "runs every setting of an experiment, for every seed",
-                                 "Each run goes to DIR/<setting>/seed-NNN/: the script, tables, and last a "
-                                 "manifest. A run that is complete\n"
-                                 "with the same script, parameters, seed and version is skipped, so a "
-                                 "command that was stopped (Ctrl-C,\n"
-                                 "exit code 75) is repeated to go on. Results depend on the script, its "
-                                 "parameters and the seed alone.",
-                                 options,
-                                 run_runs};
+    static const Command command{
+        "run",
+        "FILE.lua",
+        "runs every setting of an experiment, for every seed",
+        "Each run goes to DIR/<setting>/seed-NNN/: the script, tables, and last a "
+        "manifest. A run that is complete\n"
+        "with the same script, parameters, seed and version is skipped, and one that "
+        "was stopped (Ctrl-C, exit\n"
+        "code 75) or killed goes on from its last checkpoint: repeat the command. Results depend on the "
+        "script, its "
+        "parameters and the seed alone.",
+        options,
+        run_runs};
     return command;
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "base/state.h"
 #include "base/text.h"
 #include "scripting/lua_state.h"
 #include "scripting/wrap.h"
@@ -87,6 +88,9 @@ class Hooks::Functions {
         lua_getinfo(lua_.raw(), ">S", &function);
         return std::string(function.short_src) + ":" + to_text(function.linedefined) + ": ";
     }
+
+    /// The length of the run's behaviours; 0 until one is seen.
+    std::size_t &length() { return length_; }
 
     Verdict judge(const Life &life) {
         slot_->life = &life;
@@ -212,6 +216,25 @@ void Hooks::begin_run() {
     functions_ = std::make_unique<Functions>(sources_, index_, parameters_);
     calls_ = invalid_ = 0;
     first_problem_.clear();
+}
+
+void Hooks::continue_run(const std::string &memory) {
+    begin_run();
+    StateReader reader(memory);
+    reader.group("judge");
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    functions_->length() = static_cast<std::size_t>(reader.integer(0, longest_behaviour));
+    calls_ = reader.integer(0, most);
+    invalid_ = reader.integer(0, calls_);
+    first_problem_ = reader.text();
+    reader.done();
+}
+
+std::string Hooks::memory() const {
+    StateWriter writer;
+    writer.group("judge").integer(static_cast<std::int64_t>(functions_->length()));
+    writer.integer(calls_).integer(invalid_).text(first_problem_);
+    return writer.bytes();
 }
 
 Hooks::Verdict Hooks::judge_twice(const Life &life) {

@@ -33,6 +33,10 @@ class Hooks {
 
     /// Begins a run: fresh functions, nothing counted.
     void begin_run();
+    /// Goes on in a run that was stopped. Throws InputError for a text that is not what memory() gave.
+    void continue_run(const std::string &memory);
+    /// What continue_run() must know of the lives judged so far.
+    std::string memory() const;
     /// Throws InputError if the functions remember earlier calls, or exceed the limits on memory or time,
     /// which depend on the machine.
     Evaluation judge(const Life &life);

@@ -20,6 +20,8 @@ class Progress {
 
     /// Begins a run of that many generations.
     void begin(std::string run, int generations);
+    /// So many evaluations of the planned ones were done by an earlier process.
+    void skip(std::int64_t evaluations) { planned_ -= evaluations; }
     /// A generation is done: its number from 0, the best fitness so far, its evaluations.
     void generation(int number, double best, int evaluations);
     /// Tells something that stays on the screen.
@@ -31,7 +33,7 @@ class Progress {
 
     std::ostream &out_;
     const bool terminal_;
-    const std::int64_t planned_;
+    std::int64_t planned_;
     std::int64_t done_ = 0;
     std::string run_;
     int generations_ = 0;

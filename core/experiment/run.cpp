@@ -13,10 +13,6 @@ namespace planula {
 
 namespace {
 
-NetworkShape shape_of(Actuation actuation) {
-    return {input::count, output::count(actuation), is_recurrent(actuation)};
-}
-
 /// Every individual's life, in parallel: lives are pure and share nothing.
 std::vector<Life> live_all(const Spec &spec, const Population &population, int threads,
                            const StopRequest &stop) {
@@ -47,21 +43,33 @@ int fittest(const std::vector<Evaluation> &evaluations) {
 
 } // namespace
 
-void run(const Spec &spec, std::uint64_t seed, int threads, const Observer &observe,
-         const StopRequest &stop) {
+RunState begin(const Spec &spec, std::uint64_t seed) {
+    return {initial_population(shape_of(spec.actuation), spec.parameters, seed),
+            make_search(spec.search, spec.parameters)};
+}
+
+void run(const Spec &spec, std::uint64_t seed, int threads, RunState &state, const Observer &observe,
+         const Between &between, const StopRequest &stop) {
     const Parameters &p = spec.parameters;
     const NetworkShape shape = shape_of(spec.actuation);
-    const auto search = make_search(spec.search, p);
-    Population population = initial_population(shape, p, seed);
+    Population &population = state.population;
     for (;;) {
         const std::vector<Life> lives = live_all(spec, population, threads, stop);
         const std::vector<Evaluation> evaluations = judge_all(spec, lives);
-        const std::vector<double> scores = search->score(population, evaluations);
-        observe(
-            {population.generation, population, lives, evaluations, scores, *search, fittest(evaluations)});
+        const std::vector<double> scores = state.search->score(population, evaluations);
+        observe({population.generation, population, lives, evaluations, scores, *state.search,
+                 fittest(evaluations)});
         if (population.generation + 1 >= p.generations) return;
-        population = search->next(population, scores, shape, seed);
+        population = state.search->next(population, scores, shape, seed);
+        between(state);
     }
+}
+
+void run(const Spec &spec, std::uint64_t seed, int threads, const Observer &observe,
+         const StopRequest &stop) {
+    RunState state = begin(spec, seed);
+    run(
+        spec, seed, threads, state, observe, [](const RunState &) {}, stop);
 }
 
 } // namespace planula

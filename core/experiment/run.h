@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where life and search meet: one evolutionary run, generation by generation. The run writes no file and
-// prints nothing; it hands every finished generation to an observer.
+// prints nothing; it hands every finished generation to an observer. Between two generations it is its RunState
+// and nothing else, so that a run may end there and go on from the state in another process.
 #pragma once
 
 #include "evolution/search.h"
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace planula {
@@ -24,11 +26,30 @@ struct Generation {
     int best;
 };
 
+/// Where a run stands between two generations: the population to live next, and the search as the generations
+/// before left it.
+struct RunState {
+    Population population;
+    std::unique_ptr<Search> search;
+};
+
 using Observer = std::function<void(const Generation &)>;
+/// Shown the state after each generation but the last.
+using Between = std::function<void(const RunState &)>;
 /// Asked before each generation and between evaluations; true ends the run with Stopped.
 using StopRequest = std::function<bool()>;
 
-/// Runs all generations of the setting. The results depend on (spec, seed) alone, not on `threads`.
+/// The state before generation 0.
+RunState begin(const Spec &spec, std::uint64_t seed);
+
+/// Runs the setting's generations from this state on. The results depend on (spec, seed) alone, not on
+/// `threads` nor on how the state came here. If it ends with Stopped, the state is that before the generation
+/// that was abandoned.
+void run(
+    const Spec &spec, std::uint64_t seed, int threads, RunState &state, const Observer &observe,
+    const Between &between = [](const RunState &) {}, const StopRequest &stop = [] { return false; });
+
+/// Runs all generations.
 void run(
     const Spec &spec, std::uint64_t seed, int threads, const Observer &observe,
     const StopRequest &stop = [] { return false; });

@@ -22,6 +22,10 @@ bool is_file_name(const std::string &name) {
 
 } // namespace
 
+NetworkShape shape_of(Actuation actuation) {
+    return {input::count, output::count(actuation), is_recurrent(actuation)};
+}
+
 void check_spec(const Spec &spec) {
     if (!is_file_name(spec.name))
         throw InputError("the name of a setting is 1 to 100 letters, digits, '-' and '_', not '" + spec.name +

@@ -5,6 +5,7 @@
 #include "evaluation/conditions.h"
 #include "evaluation/life.h"
 #include "evolution/evaluation.h"
+#include "evolution/population.h"
 
 #include <functional>
 #include <string>
@@ -22,6 +23,9 @@ struct Spec : Conditions {
     std::string search = "neat"; // a name of make_search()
     Judge judge;                 // called on the main thread, in slot order
 };
+
+/// The networks that animats with this actuation have.
+NetworkShape shape_of(Actuation actuation);
 
 /// Throws InputError with the rule and the value: an empty or unsafe name, an unknown search or engine, a
 /// bad environment, inconsistent parameters, a range outside 0 … 0.9, no judge.

@@ -3,6 +3,8 @@
 // genome (§2.7.1; MN keeps the record for the whole run).
 #pragma once
 
+#include "base/state.h"
+
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -24,6 +26,11 @@ class Innovations {
 
     int links() const { return next_link_; }
     int next_node() const { return next_node_; }
+
+    /// Writes the record: which link each innovation is, and which split made each node.
+    void save(StateWriter &writer) const;
+    /// Throws InputError for bytes that are no record.
+    static Innovations load(StateReader &reader);
 
   private:
     // Only looked up by key, never walked: the order of a hash table reaches no result.

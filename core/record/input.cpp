@@ -45,11 +45,23 @@ int Input::read(char *buffer, int size) {
         if (state == Z_BUF_ERROR) throw InputError(path_.string() + ": the compressed data are cut off");
         if (got < 0 || state < 0)
             throw InputError(path_.string() + ": damaged compressed data (" + said + ")");
-        if (packed_ && gzdirect(handle(stream_))) throw InputError(path_.string() + ": not a gzip file");
+        const bool unpacked = !gzdirect(handle(stream_));
+        if (packed_ && !unpacked) throw InputError(path_.string() + ": not a gzip file");
+        if (!packed_ && unpacked)
+            throw InputError(path_.string() + ": a gzip file whose name does not say so");
         if (got == 0) break;
         filled += got;
     }
     return filled;
+}
+
+std::string read_file(const std::filesystem::path &path) {
+    Input input(path);
+    std::string content;
+    std::vector<char> buffer(std::size_t{1} << 16);
+    while (const int size = input.read(buffer.data(), static_cast<int>(buffer.size())))
+        content.append(buffer.data(), static_cast<std::size_t>(size));
+    return content;
 }
 
 std::string content_sha256(const std::filesystem::path &path) {

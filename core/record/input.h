@@ -24,6 +24,9 @@ class Input {
     bool packed_;  // by its name
 };
 
+/// The whole content of a file.
+std::string read_file(const std::filesystem::path &path);
+
 /// SHA-256 of the content of a file, after unpacking: what Output::commit() returned for it.
 std::string content_sha256(const std::filesystem::path &path);
 

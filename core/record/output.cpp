@@ -2,12 +2,12 @@
 #include "record/output.h"
 
 #include "base/check.h"
+#include "record/system.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
 #include <sys/file.h>
-#include <system_error>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -16,21 +16,6 @@ namespace planula {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16;
-
-template <class Kind>
-[[noreturn]] void fail(const std::string &what, const std::filesystem::path &path, int number) {
-    throw Kind("cannot " + what + " " + path.string() + ": " + std::generic_category().message(number));
-}
-
-// An entry of a folder is on disk when the folder is; file systems without this notion say EINVAL.
-void sync_folder(const std::filesystem::path &folder) {
-    const std::filesystem::path named = folder.empty() ? "." : folder;
-    const int handle = ::open(named.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (handle < 0) fail<IoError>("open folder", named, errno);
-    const int failure = ::fsync(handle) == 0 || errno == EINVAL ? 0 : errno;
-    ::close(handle);
-    if (failure != 0) fail<IoError>("sync folder", named, failure);
-}
 
 } // namespace
 
@@ -97,18 +82,13 @@ void Output::write(std::string_view bytes) {
 void Output::flush(bool last) {
     const std::string bytes = deflate_ ? deflate_->compress(pending_, last) : std::move(pending_);
     pending_.clear();
-    for (std::string_view left = bytes; !left.empty();) {
-        const ssize_t written = ::write(file_, left.data(), left.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) fail<IoError>("write", path_, errno);
-        left.remove_prefix(static_cast<std::size_t>(written));
-    }
+    write_all(file_, bytes, path_);
 }
 
 std::string Output::commit() {
     CHECK(file_ >= 0, path_);
     flush(true);
-    if (::fsync(file_) != 0) fail<IoError>("sync", path_, errno);
+    sync_file(file_, path_);
 
     // Once closed, the temporary is this function's to remove.
     const int closed = ::close(file_);

@@ -2,10 +2,15 @@
 #include "record/run_writer.h"
 
 #include "base/check.h"
+#include "base/error.h"
+#include "base/state.h"
 #include "base/text.h"
+#include "experiment/run_state.h"
+#include "genome/genome_state.h"
 #include "record/genome_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace planula {
@@ -13,18 +18,18 @@ namespace planula {
 namespace {
 
 constexpr const char *script_file = "experiment.lua", *resolved_file = "resolved.lua";
+constexpr std::array run_tables{GenerationRow::file_name, IndividualRow::file_name, ChampionRow::file_name,
+                                ArchiveRow::file_name,    GenomeRow::file_name,     PopulationRow::file_name};
 
 std::string identity_of(const Spec &spec, std::uint64_t seed, const RunIdentity &identity) {
     return Hash().text(version()).text(spec.name).text(identity.resolved_text).number(seed).hex();
 }
 
 /// Takes the folder as a new run finds it: without a manifest first of all, and without anything older.
-const std::filesystem::path &clear(const std::filesystem::path &folder) {
+void clear(const std::filesystem::path &folder) {
     remove_file(folder / ManifestRow::file_name);
-    for (const auto file : {GenerationRow::file_name, IndividualRow::file_name, ChampionRow::file_name,
-                            ArchiveRow::file_name, GenomeRow::file_name, PopulationRow::file_name})
-        remove_file(folder / file);
-    return folder;
+    for (const auto file : run_tables) remove_file(folder / file);
+    remove_leftovers(folder);
 }
 
 const std::filesystem::path &made(const std::filesystem::path &folder) {
@@ -147,6 +152,15 @@ GenerationRow generation_row(const Generation &g, int birth_limit) {
     return row;
 }
 
+/// The mark that a checkpoint has for a table.
+const JournalMark &mark_of(const FoundCheckpoint &found, std::string_view table) {
+    try {
+        return found.checkpoint->mark_of(table);
+    } catch (const InputError &error) {
+        throw InputError(found.path.string() + ": " + error.what());
+    }
+}
+
 } // namespace
 
 std::filesystem::path run_folder(const std::filesystem::path &runs, const std::string &setting,
@@ -165,13 +179,70 @@ std::string results_sha256(const Manifest &manifest) {
     return results.hex();
 }
 
+/// The journals. A table stands here once; each() reaches them all, in the order of the manifest.
+struct RunWriter::Tables {
+    template <class MarkOf>
+    Tables(const std::filesystem::path &folder, MarkOf &&mark)
+        : generations(folder, mark(GenerationRow::file_name)),
+          individuals(folder, mark(IndividualRow::file_name)),
+          champions(folder, mark(ChampionRow::file_name)) {}
+
+    template <class Visit> void each(Visit &&visit) {
+        visit(GenerationRow::file_name, generations);
+        visit(IndividualRow::file_name, individuals);
+        visit(ChampionRow::file_name, champions);
+    }
+
+    TableJournal<GenerationRow> generations;
+    TableJournal<IndividualRow> individuals;
+    TableJournal<ChampionRow> champions;
+};
+
 RunWriter::RunWriter(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
-                     const RunIdentity &identity)
+                     const RunIdentity &identity, int interval)
     : folder_(made(folder)), lock_(folder_), parameters_(spec.parameters), setting_(spec.name),
       identity_(identity_of(spec, seed, identity)), script_sha256_(sha256(identity.script_text)), seed_(seed),
-      generations_(clear(folder_)), individuals_(folder_), champions_(folder_) {
+      interval_(interval) {
+    CHECK(interval >= 1, interval);
+    take_up(spec);
     files_.emplace_back(script_file, write_file(folder_ / script_file, identity.script_text));
     files_.emplace_back(resolved_file, write_file(folder_ / resolved_file, identity.resolved_text));
+}
+
+RunWriter::~RunWriter() = default;
+
+void RunWriter::take_up(const Spec &spec) {
+    const FoundCheckpoint found = find_checkpoint(folder_);
+    damaged_ = found.damaged;
+    const bool goes_on = found.checkpoint && found.checkpoint->identity == identity_;
+    if (goes_on) {
+        restore(spec, found);
+        remove_file(folder_ / ManifestRow::file_name);
+    } else
+        clear(folder_);
+    tables_ = std::make_unique<Tables>(
+        folder_, [&](std::string_view table) { return goes_on ? &mark_of(found, table) : nullptr; });
+
+    // A damaged checkpoint must not become the one that is kept beside a new one.
+    for (const std::filesystem::path &path : damaged_) remove_file(path);
+}
+
+void RunWriter::restore(const Spec &spec, const FoundCheckpoint &found) {
+    const Checkpoint &checkpoint = *found.checkpoint;
+    try {
+        StateReader state(checkpoint.state), champion(checkpoint.crown);
+        state_ = load_run_state(spec, state);
+        state.done();
+        observed_ = checkpoint.generation;
+        kept_ = observed_;
+        if (state_->population.generation != observed_) state.refuse("it is of another generation");
+        best_fitness_ = champion.finite();
+        if (observed_ > 0) best_genome_ = load_genome(champion);
+        champion.done();
+        memory_ = checkpoint.memory;
+    } catch (const InputError &error) {
+        throw InputError(found.path.string() + ": " + error.what());
+    }
 }
 
 void RunWriter::observe(const Generation &generation) {
@@ -179,26 +250,52 @@ void RunWriter::observe(const Generation &generation) {
     const std::size_t size = generation.population.genomes.size();
     CHECK(generation.lives.size() == size && generation.evaluations.size() == size &&
           generation.scores.size() == size);
-    generations_.write(generation_row(generation, parameters_.birth_limit));
+    tables_->generations.write(generation_row(generation, parameters_.birth_limit));
     write_individuals(generation);
-    write_archive(generation.search);
     crown(generation);
     ++observed_;
-    if (observed_ == parameters_.generations) last_genomes_ = generation.population.genomes;
+    if (observed_ < parameters_.generations) return;
+    write_archive(generation.search);
+    last_genomes_ = generation.population.genomes;
+}
+
+void RunWriter::between(const RunState &state, const std::string &memory) {
+    if (observed_ - kept_.value_or(0) >= interval_) keep(state, memory);
+}
+
+void RunWriter::keep(const RunState &state, const std::string &memory) {
+    CHECK(state.population.generation == observed_, state.population.generation, observed_);
+    if (kept_ == observed_) return;
+    Checkpoint checkpoint{.identity = identity_,
+                          .generation = observed_,
+                          .generations = parameters_.generations,
+                          .memory = memory};
+    StateWriter saved, champion;
+    save(state, saved);
+    champion.real(best_fitness_);
+    if (observed_ > 0) save(best_genome_, champion);
+    checkpoint.state = saved.bytes();
+    checkpoint.crown = champion.bytes();
+
+    // The tables are on disk before the checkpoint that speaks of them.
+    tables_->each([&](std::string_view table, auto &journal) {
+        checkpoint.tables.emplace_back(table, journal.mark());
+    });
+    write_checkpoint(folder_, checkpoint);
+    kept_ = observed_;
 }
 
 void RunWriter::write_individuals(const Generation &generation) {
     const std::vector<int> species = species_of_slots(generation.population);
     for (std::size_t slot = 0; slot < species.size(); ++slot)
-        individuals_.write(individual_row(generation, static_cast<int>(slot), species[slot]));
+        tables_->individuals.write(individual_row(generation, static_cast<int>(slot), species[slot]));
 }
 
-/// An archive only grows: its new entries are those behind the ones written before.
+/// The archive after the last generation; a file for every search that has one.
 void RunWriter::write_archive(const Search &search) {
-    const auto entries = search.archive();
-    if (!archive_ && search.keeps_archive()) archive_.emplace(folder_);
-    CHECK(entries.size() >= archived_ && (archive_ || entries.empty()), entries.size(), archived_);
-    for (; archived_ < entries.size(); ++archived_) archive_->write(entries[archived_]);
+    if (!search.keeps_archive()) return;
+    archive_.emplace(folder_);
+    for (const ArchiveEntry &entry : search.archive()) archive_->write(entry);
 }
 
 /// The best of the first generation, and everyone fitter than all before.
@@ -207,21 +304,24 @@ void RunWriter::crown(const Generation &generation) {
     if (observed_ > 0 && fitness <= best_fitness_) return;
     best_fitness_ = fitness;
     best_genome_ = generation.population.genomes[generation.best];
-    champions_.write(champion_row(generation, parameters_));
+    tables_->champions.write(champion_row(generation, parameters_));
 }
 
 void RunWriter::finish() {
     CHECK(observed_ == parameters_.generations, observed_, parameters_.generations);
-    const auto keep = [&](std::string_view file, std::string hash) {
-        files_.emplace_back(file, std::move(hash));
-    };
-    keep(GenerationRow::file_name, generations_.commit());
-    keep(IndividualRow::file_name, individuals_.commit());
-    keep(ChampionRow::file_name, champions_.commit());
-    if (archive_) keep(ArchiveRow::file_name, archive_->commit());
-    keep(GenomeRow::file_name, write_table<GenomeRow>(folder_, genome_rows(best_genome_)));
-    keep(PopulationRow::file_name, write_table<PopulationRow>(folder_, population_rows(last_genomes_)));
+    tables_->each(
+        [&](std::string_view table, auto &journal) { files_.emplace_back(table, journal.publish()); });
+    if (archive_) files_.emplace_back(ArchiveRow::file_name, archive_->commit());
+    files_.emplace_back(GenomeRow::file_name, write_table<GenomeRow>(folder_, genome_rows(best_genome_)));
+    files_.emplace_back(PopulationRow::file_name,
+                        write_table<PopulationRow>(folder_, population_rows(last_genomes_)));
 
+    // Only what is complete needs no journals any more.
+    write_manifest();
+    remove_leftovers(folder_);
+}
+
+void RunWriter::write_manifest() {
     Manifest manifest;
     manifest.add("version", std::string(version()));
     manifest.add("compiler", compiler());
@@ -236,6 +336,11 @@ void RunWriter::finish() {
     manifest.add("results_sha256", results_sha256(manifest));
     manifest.add("status", "complete");
     manifest.write(folder_);
+}
+
+void remove_leftovers(const std::filesystem::path &folder) {
+    remove_checkpoints(folder);
+    for (const auto file : run_tables) remove_file(journal_path(folder / file));
 }
 
 bool is_complete(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,

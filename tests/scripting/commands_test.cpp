@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <csignal>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include <sys/wait.h>
@@ -232,6 +233,75 @@ BOOST_AUTO_TEST_CASE(a_signal_stops_the_run_with_75_and_says_how_to_go_on) {
     BOOST_TEST(WEXITSTATUS(status) == 75);
     BOOST_TEST(test::contains(content(place.path / "said"), "the same command goes on"));
     BOOST_TEST(!fs::exists(folder / "manifest.csv"));
+}
+
+namespace {
+
+/// Starts `planula run` in a process of its own; what it says goes to a file.
+pid_t start_run(const Workplace &place, const std::string &out, int generations) {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    std::ofstream silent(place.path / "said");
+    Console console{silent, silent, false, test::experiments_folder()};
+    const int code = run_program({"run", place.script(), "--seeds", "1", "--checkpoint", "1", "--out", out,
+                                  "--generations", std::to_string(generations)},
+                                 console);
+    silent.flush();
+    _exit(code);
+}
+
+/// Waits for the end of a process; its exit code, or the negative of the signal that killed it.
+int end_of(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+std::string all_bytes(const fs::path &folder) {
+    std::map<std::string, std::string> files;
+    for (const auto &entry : fs::directory_iterator(folder))
+        files[entry.path().filename().string()] = content(entry.path());
+    std::string bytes;
+    for (const auto &[name, text] : files) bytes += name + '\n' + text;
+    return bytes;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_killed_and_stopped_again_and_again_ends_with_the_same_bytes) {
+    const Workplace place(small);
+    const std::string whole = place.path / "whole";
+    BOOST_REQUIRE(end_of(start_run(place, whole, 6)) == 0);
+    int ended = -1, killed = 0;
+    for (int start = 0; ended != 0 && start < 200; ++start) {
+        const pid_t child = start_run(place, place.runs(), 6);
+        usleep(static_cast<useconds_t>(40'000 + start * 7919 % 100'000));
+        kill(child, start % 3 == 2 ? SIGTERM : SIGKILL);
+        ended = end_of(child);
+        BOOST_TEST((ended == 0 || ended == 75 || ended == -SIGKILL || ended == -SIGTERM), ended);
+        killed += ended != 0;
+    }
+    BOOST_TEST(ended == 0);
+    BOOST_TEST(killed >= 2);
+    BOOST_TEST((all_bytes(fs::path(place.runs()) / "small/seed-001") ==
+                all_bytes(fs::path(whole) / "small/seed-001")));
+}
+
+BOOST_AUTO_TEST_CASE(a_second_process_on_one_run_ends_at_once_with_73) {
+    const Workplace place(small);
+    const pid_t first = start_run(place, place.runs(), 100000);
+    const fs::path checkpoint = fs::path(place.runs()) / "small/seed-001/checkpoint";
+    for (int i = 0; i < 1000 && !fs::exists(checkpoint); ++i) usleep(10000);
+    const Said second = planula_says(
+        {"run", place.script(), "--seeds", "1", "--out", place.runs(), "--generations", "100000"});
+    BOOST_TEST(second.code == 73);
+    BOOST_TEST(test::contains(second.err, "is in use by another process"), second.err);
+    kill(first, SIGKILL);
+    BOOST_TEST(end_of(first) == -SIGKILL);
+
+    // The lock died with its holder.
+    const Said third = planula_says({"run", place.script(), "--seeds", "1", "--out", place.runs()});
+    BOOST_TEST(third.code == 0, third.err);
 }
 
 BOOST_AUTO_TEST_CASE(an_output_that_cannot_be_written_is_an_error) {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/population_state.h"
+
+#include "base/check.h"
+#include "base/text.h"
+#include "genome/genome_state.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+
+namespace planula {
+
+namespace {
+
+constexpr std::int64_t most_genomes = std::int64_t{1} << 53; // ids that a table's reader keeps exactly
+constexpr std::int64_t longest_age = 1'000'000'000;          // of a species, far from overflow
+
+/// A settled species is the next run of slots, represented by the first of them.
+bool is_settled(const Population &population) {
+    int slot = 0;
+    for (const Species &species : population.species) {
+        if (species.members.empty() || !(species.representative == population.genomes.at(slot))) return false;
+        for (const int member : species.members)
+            if (member != slot++) return false;
+    }
+    return slot == static_cast<int>(population.genomes.size());
+}
+
+void save(const Species &species, StateWriter &writer) {
+    writer.integer(species.id).integer(species.age).integer(species.stagnation);
+    writer.real(species.best_ever).integer(species.best ? 1 : 0);
+    writer.integer(static_cast<std::int64_t>(species.members.size()));
+}
+
+double load_score(StateReader &reader) {
+    const double score = reader.finite();
+    if (score < 0) reader.refuse("a best score is below 0");
+    return score;
+}
+
+/// The species whose members follow those placed so far.
+Species load_species(int placed, const Population &population, StateReader &reader) {
+    Species species;
+    species.id = static_cast<int>(reader.integer(0, std::int64_t{population.next_species} - 1));
+    species.age = static_cast<int>(reader.integer(0, longest_age));
+    species.stagnation = static_cast<int>(reader.integer(0, longest_age));
+    species.best_ever = load_score(reader);
+    species.best = reader.integer(0, 1) == 1;
+    const auto free = static_cast<std::int64_t>(population.genomes.size()) - placed;
+    species.members.resize(static_cast<std::size_t>(reader.integer(1, std::max<std::int64_t>(free, 1))));
+    if (free < 1) reader.refuse("more species than genomes");
+    std::iota(species.members.begin(), species.members.end(), placed);
+    species.representative = population.genomes[placed];
+    return species;
+}
+
+void load_all_species(Population &population, StateReader &reader) {
+    std::set<int> ids;
+    int placed = 0, marked = 0;
+    for (std::size_t left = reader.count(); left > 0; --left) {
+        Species species = load_species(placed, population, reader);
+        if (!ids.insert(species.id).second) reader.refuse("two species have one id");
+        marked += species.best;
+        placed += static_cast<int>(species.members.size());
+        population.species.push_back(std::move(species));
+    }
+    if (placed != static_cast<int>(population.genomes.size())) reader.refuse("a genome is of no species");
+    if (marked > 1) reader.refuse("two species hold the mark of the best");
+}
+
+/// What the genome alone cannot say: that it has this shape and is of this run.
+void check_member(const Genome &genome, const NetworkShape &shape, Population &population,
+                  const StateReader &reader) {
+    if (genome.inputs != shape.inputs || genome.outputs != shape.outputs)
+        reader.refuse("a genome has not the inputs and outputs of the setting");
+    if (genome.id < 0 || std::max({genome.id, genome.mother, genome.father}) >= population.next_genome)
+        reader.refuse("a genome, or a parent, is not born yet");
+    if (genome.nodes.back().id >= population.innovations.next_node())
+        reader.refuse("a node is not of this run");
+    for (const LinkGene &link : genome.links) {
+        if (link.innovation >= population.innovations.links() ||
+            population.innovations.link(link.from, link.to) != link.innovation)
+            reader.refuse("a link is not the innovation that it names");
+        const double climb = genome.find_node(link.to)->depth - genome.find_node(link.from)->depth;
+        if (!shape.recurrent && (link.recurrent || climb <= 0))
+            reader.refuse("a link of a network without recurrence does not climb");
+    }
+}
+
+void load_genomes(const NetworkShape &shape, int size, Population &population, StateReader &reader) {
+    std::set<std::int64_t> ids;
+    if (reader.count() != static_cast<std::size_t>(size))
+        reader.refuse("the population has not the setting's size of " + to_text(size));
+    for (int slot = 0; slot < size; ++slot) {
+        population.genomes.push_back(load_genome(reader));
+        check_member(population.genomes.back(), shape, population, reader);
+        if (!ids.insert(population.genomes.back().id).second) reader.refuse("two genomes have one id");
+    }
+}
+
+} // namespace
+
+void save(const Population &population, StateWriter &writer) {
+    CHECK(is_settled(population), population.generation);
+    writer.group("population").integer(population.generation);
+    writer.real(population.threshold).real(population.best_ever);
+    writer.integer(population.next_genome).integer(population.next_species);
+    population.innovations.save(writer);
+
+    writer.group("genomes").integer(static_cast<std::int64_t>(population.genomes.size()));
+    for (const Genome &genome : population.genomes) save(genome, writer);
+    writer.group("species").integer(static_cast<std::int64_t>(population.species.size()));
+    for (const Species &species : population.species) save(species, writer);
+}
+
+Population load_population(const NetworkShape &shape, const Parameters &parameters, StateReader &reader) {
+    Population population;
+    reader.group("population");
+    population.generation = static_cast<int>(reader.integer(0, std::int64_t{parameters.generations} - 1));
+    population.threshold = reader.finite();
+    if (population.threshold < 0) reader.refuse("the compatibility threshold is below 0");
+    population.best_ever = load_score(reader);
+    population.next_genome = reader.integer(0, most_genomes);
+    population.next_species = static_cast<int>(reader.integer(0, std::numeric_limits<int>::max() / 2));
+    population.innovations = Innovations::load(reader);
+
+    reader.group("genomes");
+    load_genomes(shape, parameters.population, population, reader);
+    reader.group("species");
+    load_all_species(population, reader);
+    return population;
+}
+
+} // namespace planula

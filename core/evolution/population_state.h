@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// A population as saved state (base/state.h), between two generations: born and settled in its slots, not yet
+// evaluated. What is loaded is whole: genomes, species and innovations agree with each other and with the
+// shape of the networks, so that breeding from it breaks no promise.
+#pragma once
+
+#include "base/state.h"
+#include "evolution/population.h"
+
+namespace planula {
+
+/// Needs a settled population (evolution/species.h).
+void save(const Population &population, StateWriter &writer);
+
+/// Throws InputError naming the rule that the bytes break.
+Population load_population(const NetworkShape &shape, const Parameters &parameters, StateReader &reader);
+
+} // namespace planula

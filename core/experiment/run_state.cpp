@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/run_state.h"
+
+#include "evolution/population_state.h"
+
+namespace planula {
+
+void save(const RunState &state, StateWriter &writer) {
+    save(state.population, writer);
+    state.search->save(writer);
+}
+
+RunState load_run_state(const Spec &spec, StateReader &reader) {
+    RunState state{load_population(shape_of(spec.actuation), spec.parameters, reader),
+                   make_search(spec.search, spec.parameters)};
+    state.search->load(reader);
+    return state;
+}
+
+} // namespace planula

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Where a run stands as saved state (base/state.h): what load gives goes on to the same results as what was
+// saved.
+#pragma once
+
+#include "base/state.h"
+#include "experiment/run.h"
+
+namespace planula {
+
+void save(const RunState &state, StateWriter &writer);
+
+/// Throws InputError naming the rule that the bytes break: they are not the state of a run of this setting.
+RunState load_run_state(const Spec &spec, StateReader &reader);
+
+} // namespace planula

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "record/journal.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "record/input.h"
+#include "record/output.h"
+#include "record/system.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <unistd.h>
+#include <vector>
+
+namespace planula {
+
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 16;
+
+/// Hands the first `length` bytes of a file to visit(bytes), piece by piece; how many there were.
+template <class Visit>
+std::int64_t each_piece(const std::filesystem::path &path, std::int64_t length, Visit &&visit) {
+    Input input(path);
+    std::vector<char> buffer(buffer_size);
+    std::int64_t read = 0;
+    while (read < length) {
+        const auto wanted = std::min<std::int64_t>(length - read, static_cast<std::int64_t>(buffer.size()));
+        const int size = input.read(buffer.data(), static_cast<int>(wanted));
+        if (size == 0) break;
+        visit(std::string_view(buffer.data(), static_cast<std::size_t>(size)));
+        read += size;
+    }
+    return read;
+}
+
+} // namespace
+
+std::filesystem::path journal_path(const std::filesystem::path &target) {
+    std::filesystem::path path = target;
+    return path += ".part";
+}
+
+Journal::Journal(std::filesystem::path target, const JournalMark *taken_up)
+    : target_(std::move(target)), path_(journal_path(target_)) {
+    if (taken_up != nullptr)
+        take_up(*taken_up);
+    else if ((file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) < 0)
+        fail<CreateError>("create", path_, errno);
+}
+
+void Journal::take_up(const JournalMark &mark) {
+    // The beginning must be what the mark says, before anything is cut.
+    length_ = each_piece(path_, mark.length,
+                         [&](std::string_view bytes) { hash_.bytes(bytes.data(), bytes.size()); });
+    if (length_ != mark.length)
+        throw InputError(path_.string() + ": " + to_text(length_) + " bytes, where the checkpoint knows of " +
+                         to_text(mark.length) + ": it was cut after the run had stopped");
+    if (hash_.hex() != mark.sha256)
+        throw InputError(path_.string() + ": it was changed after the run had stopped");
+
+    kept_ = true;
+    file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    if (file_ < 0) fail<CreateError>("open", path_, errno);
+    if (::ftruncate(file_, mark.length) == 0) return;
+    const int failure = errno;
+    ::close(file_);
+    fail<IoError>("cut", path_, failure);
+}
+
+Journal::~Journal() {
+    ::close(file_);
+    if (!kept_) ::unlink(path_.c_str());
+}
+
+void Journal::write(std::string_view bytes) {
+    hash_.bytes(bytes.data(), bytes.size());
+    length_ += static_cast<std::int64_t>(bytes.size());
+    pending_.append(bytes);
+    if (pending_.size() >= buffer_size) flush();
+}
+
+void Journal::flush() {
+    const std::string bytes = std::move(pending_);
+    pending_.clear();
+    write_all(file_, bytes, path_);
+}
+
+JournalMark Journal::mark() {
+    flush();
+    sync_file(file_, path_);
+    kept_ = true;
+    return {length_, hash_.hex()};
+}
+
+std::string Journal::publish() {
+    flush();
+    Output output(target_);
+    if (each_piece(path_, length_, [&](std::string_view bytes) { output.write(bytes); }) != length_)
+        throw IoError("cannot read back " + path_.string() + ": it is shorter than what was written");
+    const std::string sha256 = output.commit();
+    if (sha256 != hash_.hex()) throw IoError(path_.string() + " does not read back as it was written");
+    return sha256;
+}
+
+} // namespace planula

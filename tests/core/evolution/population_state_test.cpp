@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/population_state.h"
+
+#include "base/error.h"
+#include "core/evolution/populations.h"
+#include "evolution/reproduce.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <limits>
+#include <utility>
+
+using namespace planula;
+
+namespace {
+
+Parameters small() {
+    Parameters parameters;
+    parameters.population = 20;
+    parameters.generations = 50;
+    parameters.add_node_rate = parameters.add_link_rate = 0.3;
+    parameters.compatibility_threshold = 1;
+    return parameters;
+}
+
+constexpr std::uint64_t seed = 3;
+
+/// Scores that differ from slot to slot and from generation to generation.
+std::vector<double> scores_of(const Population &population) {
+    std::vector<double> scores;
+    for (const Genome &genome : population.genomes)
+        scores.push_back(static_cast<double>((genome.id * 7 + population.generation) % 11));
+    return scores;
+}
+
+void evolve(int generations, const NetworkShape &shape, const Parameters &parameters,
+            Population &population) {
+    for (int i = 0; i < generations; ++i)
+        population = reproduce(population, scores_of(population), true, shape.recurrent, parameters, seed);
+}
+
+std::string saved(const Population &population) {
+    StateWriter writer;
+    save(population, writer);
+    return writer.bytes();
+}
+
+Population loaded(const std::string &bytes, const NetworkShape &shape, const Parameters &parameters) {
+    StateReader reader(bytes);
+    Population population = load_population(shape, parameters, reader);
+    reader.done();
+    return population;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_saved_population_breeds_on_as_if_it_had_never_been_saved) {
+    const Parameters parameters = small();
+    for (const bool recurrent : {false, true}) {
+        const NetworkShape shape{4, 2, recurrent};
+        Population kept = initial_population(shape, parameters, seed);
+        for (int step = 0; step < 4; ++step) {
+            Population back = loaded(saved(kept), shape, parameters);
+            BOOST_TEST((saved(back) == saved(kept)));
+            evolve(4, shape, parameters, kept);
+            evolve(4, shape, parameters, back);
+            BOOST_TEST((saved(back) == saved(kept)));
+        }
+        BOOST_TEST(kept.species.size() > 1u);
+        BOOST_TEST(kept.innovations.next_node() > 6);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_population_cut_short_anywhere_is_refused) {
+    const NetworkShape shape{2, 1, false};
+    const Parameters parameters = populations::frozen(4);
+    const std::string whole = saved(populations::far_apart({3, 1}));
+    loaded(whole, shape, parameters);
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        BOOST_CHECK_THROW(loaded(whole.substr(0, length), shape, parameters), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_population_that_contradicts_itself_or_the_setting_is_refused) {
+    const NetworkShape shape{2, 1, false};
+    const Parameters parameters = populations::frozen(4);
+    const auto refuses = [&](const char *rule, auto &&spoil) {
+        Population population = populations::far_apart({3, 1});
+        spoil(population);
+        for (Species &species : population.species)
+            if (!species.members.empty())
+                species.representative = population.genomes[species.members.front()];
+        const auto says = [&](const InputError &error) {
+            return std::string(error.what()).find(rule) != std::string::npos;
+        };
+        BOOST_CHECK_EXCEPTION(loaded(saved(population), shape, parameters), InputError, says);
+    };
+    const double infinite = std::numeric_limits<double>::infinity();
+    refuses("two species have one id", [](Population &p) { p.species[1].id = p.species[0].id; });
+    refuses("two genomes have one id", [](Population &p) { p.genomes[1].id = p.genomes[0].id; });
+    refuses("is not born yet", [](Population &p) { p.genomes[2].id = p.next_genome; });
+    refuses("is not born yet", [](Population &p) { p.genomes[2].mother = p.next_genome; });
+    refuses("hold the mark", [](Population &p) { p.species[0].best = p.species[1].best = true; });
+    refuses("is not between", [](Population &p) { p.generation = -1; });
+    refuses("is not between", [&](Population &p) { p.generation = parameters.generations; });
+    refuses("is not between", [](Population &p) { p.species[0].age = -1; });
+    refuses("is not between", [](Population &p) { p.species[0].id = p.next_species; });
+    refuses("is not finite", [&](Population &p) { p.threshold = infinite; });
+    refuses("below 0", [](Population &p) { p.threshold = -1; });
+    refuses("below 0", [](Population &p) { p.species[0].best_ever = -1; });
+    refuses("is not finite", [&](Population &p) { p.best_ever = infinite; });
+    refuses("is not finite", [&](Population &p) { p.genomes[3].links[0].weight = infinite; });
+    refuses("is not the innovation", [](Population &p) { p.genomes[3].links[0].innovation = 1; });
+    refuses("is not the innovation", [](Population &p) { p.innovations = Innovations(3); });
+    refuses("does not climb", [](Population &p) { p.genomes[3].links[0].recurrent = true; });
+    refuses("inputs and outputs", [](Population &p) {
+        p.genomes[0] = specimens::bare(1, 2);
+        p.genomes[0].id = 0;
+    });
+    refuses("setting's size", [](Population &p) {
+        p.genomes.pop_back();
+        p.species.pop_back();
+    });
+}
+
+BOOST_AUTO_TEST_CASE(a_population_that_is_not_settled_is_not_saved) {
+    Population population = populations::far_apart({2, 2});
+    std::swap(population.species[0].members[0], population.species[0].members[1]);
+    BOOST_CHECK_THROW(saved(population), InternalError);
+}

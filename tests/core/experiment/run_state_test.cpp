@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/run_state.h"
+
+#include "base/error.h"
+#include "experiment/signature.h"
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace planula;
+
+namespace {
+
+Spec small(const std::string &search, Actuation actuation) {
+    Spec spec;
+    spec.name = "small";
+    spec.actuation = actuation;
+    spec.actuation_range = spec.parameters.actuation_range_aquatic;
+    spec.search = search;
+    spec.environment = specimens::water();
+    spec.parameters.population = 8;
+    spec.parameters.generations = 4;
+    spec.parameters.locomotion_steps = 100;
+    spec.parameters.archive_threshold = 0.01;
+    spec.judge = [](const Life &life) {
+        const bool viable = life.outcome == Outcome::viable;
+        return Evaluation{life.displacement(), {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
+    };
+    return spec;
+}
+
+constexpr std::uint64_t seed = 4;
+
+std::string saved(const RunState &state) {
+    StateWriter writer;
+    save(state, writer);
+    return writer.bytes();
+}
+
+RunState loaded(const Spec &spec, const std::string &bytes) {
+    StateReader reader(bytes);
+    RunState state = load_run_state(spec, reader);
+    reader.done();
+    return state;
+}
+
+/// Runs to the end, saved, thrown away and loaded again whenever `evaluations` more have been asked for.
+std::string signature(const Spec &spec, int evaluations) {
+    Signature hash;
+    const auto observe = [&](const Generation &generation) { hash.observe(generation); };
+    RunState state = begin(spec, seed);
+    for (int allowed = evaluations;; allowed += evaluations) {
+        int asked = 0;
+        try {
+            run(
+                spec, seed, 1, state, observe, [](const RunState &) {}, [&] { return asked++ == allowed; });
+            return hash.hex();
+        } catch (const Stopped &) {
+            state = loaded(spec, saved(state));
+        }
+    }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_stopped_anywhere_and_loaded_goes_on_to_the_same_results) {
+    for (const std::string search : {"neat", "novelty"})
+        for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
+            const Spec spec = small(search, actuation);
+            const std::string whole = signature(spec, 1'000'000);
+            for (const int evaluations : {8, 11, 21}) BOOST_TEST(signature(spec, evaluations) == whole);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_stop_leaves_the_state_before_the_abandoned_generation) {
+    const Spec spec = small("novelty", Actuation::oscillator);
+    RunState state = begin(spec, seed);
+    std::string before;
+    const auto stop = [asked = 0]() mutable { return asked++ == 13; };
+    BOOST_CHECK_THROW(run(
+                          spec, seed, 2, state, [](const Generation &) {},
+                          [&](const RunState &now) { before = saved(now); }, stop),
+                      Stopped);
+    BOOST_TEST(state.population.generation == 1);
+    BOOST_TEST((saved(state) == before));
+}
+
+BOOST_AUTO_TEST_CASE(the_state_of_another_setting_is_refused) {
+    const Spec spec = small("neat", Actuation::oscillator);
+    const std::string bytes = saved(begin(spec, seed));
+    loaded(spec, bytes);
+    BOOST_CHECK_THROW(loaded(small("novelty", Actuation::oscillator), bytes), InputError);
+    BOOST_CHECK_THROW(loaded(small("neat", Actuation::grn), bytes), InputError);
+}
