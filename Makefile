@@ -10,8 +10,9 @@ JOBS ?= $(shell nproc)
 # The experiment that the paper reports, and where its intermediate results lie.
 EXPERIMENT ?= experiments/paper/replication.lua
 OUT ?= build
-# The tables behind the paper: the tracked ones if there are any, else those that `evolve` and `data` make.
-DATA ?= $(if $(wildcard data/manifest.csv),data,$(OUT)/data)
+# The tables behind the paper: the tracked ones, unless a design is asked for; then those that `evolve` and `data` make.
+asked = $(filter command environment,$(foreach name,SEEDS POPULATION GENERATIONS EXPERIMENT,$(firstword $(origin $(name)))))
+DATA ?= $(if $(asked),$(OUT)/data,$(if $(wildcard data/manifest.csv),data,$(OUT)/data))
 # The setting that the README shows.
 PORTRAIT ?= osc-aq-ns
 
@@ -76,6 +77,16 @@ figures: deps-paper program ## draw every figure from the tables
 picture: deps-paper program ## draw the animat of the README, paper/animat.png
 	@$(MAKE) paper/animat.png
 
+reproduce: program ## evolve the design of the tracked tables again, from zero, and compare every table with them
+	@[ -f data/manifest.csv ] || { echo 'reproduce: there are no tracked tables in data/'; exit 1; }
+	@rm -rf $(OUT)/reproduce
+	@$(MAKE) evolve data OUT=$(OUT)/reproduce SEEDS=1:$(call stated,seeds) POPULATION=$(call stated,population) GENERATIONS=$(call stated,generations)
+	@different=0; for table in $(OUT)/reproduce/data/*.csv; do \
+	  cmp -s "$$table" "data/$${table##*/}" || { echo "reproduce: $${table##*/} differs"; different=$$((different + 1)); }; done; \
+	  echo "reproduce: $$(ls $(OUT)/reproduce/data/*.csv | wc -l) tables made again, $$different of them different from those in data/"; ((different == 0))
+# A number of the design of the tracked tables.
+stated = $(shell awk -F, '$$1 == "$(1)" { print $$2 }' data/manifest.csv)
+
 keep-data: ## copy build/data to data/, the tracked tables that `make paper` prefers
 	@cp $(OUT)/data/*.csv data/
 	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables copied from $(OUT)/data; commit them with the design that made them'
@@ -130,7 +141,7 @@ deps: ## packages to build and test
 deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data sensitivity build program signature \
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity build program signature \
         verify-signature torture lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
