@@ -3,7 +3,7 @@
 //
 //   penalty(life, parameters)           p of Eq. (6), 0 … 1; 0: not a valid individual, nothing else is asked
 //   fitness(life, parameters, penalty)  f of Eq. (4), 0 … 1e100
-//   behaviour(life, parameters)         the descriptor of novelty search, a list of 1 … 16 numbers up to ±1e100
+//   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100
 //
 // A function that raises an error, or returns something else, makes that individual invalid; it is counted
 // and the run goes on. Functions must not remember anything: a sample of lives is judged a second time in a

@@ -11,6 +11,8 @@ namespace planula {
 
 namespace {
 
+bool same_shape(const Genome &a, const Genome &b) { return a.inputs == b.inputs && a.outputs == b.outputs; }
+
 /// All of a generation in the first species of the one before.
 Species one_species(const Population &before, const Population &population) {
     Species species;
@@ -24,19 +26,34 @@ Species one_species(const Population &before, const Population &population) {
 
 } // namespace
 
-void save(const Kept &kept, StateWriter &writer) {
-    save(kept.genome, writer);
-    save(kept.evaluation, writer);
+void Elites::add(const Genome &genome, const Evaluation &evaluation) {
+    genomes.push_back(genome);
+    evaluations.push_back(evaluation.valid() ? evaluation : Evaluation());
 }
 
-Kept load_kept(StateReader &reader) {
-    Genome genome = load_genome(reader);
-    return {std::move(genome), load_evaluation(reader)};
+void save(const Elites &elites, StateWriter &writer) {
+    writer.group("elites").integer(static_cast<std::int64_t>(elites.size()));
+    for (std::size_t i = 0; i < elites.size(); ++i) {
+        save(elites.genomes[i], writer);
+        save(elites.evaluations[i], writer);
+    }
+}
+
+Elites load_elites(StateReader &reader) {
+    Elites elites;
+    reader.group("elites");
+    for (std::size_t left = reader.count(); left > 0; --left) {
+        elites.genomes.push_back(load_genome(reader));
+        elites.evaluations.push_back(load_evaluation(reader));
+    }
+    return elites;
 }
 
 Population brood(const Population &population, const Parents &parents, const ParentDraw &draw, bool recurrent,
                  const Parameters &parameters, std::uint64_t seed) {
     CHECK(!parents.genomes.empty() && parents.species.empty());
+    for (const Genome &parent : parents.genomes)
+        CHECK(same_shape(parent, population.genomes.front()), parent.id);
     Population next;
     next.generation = population.generation + 1;
     next.next_genome = population.next_genome;

@@ -9,18 +9,23 @@
 
 namespace planula {
 
-/// One that has lived and is kept.
-struct Kept {
-    Genome genome;
-    Evaluation evaluation;
+/// Those who have lived and are kept, side by side.
+struct Elites {
+    std::vector<Genome> genomes;
+    std::vector<Evaluation> evaluations;
+
+    std::size_t size() const { return genomes.size(); }
+    /// What an invalid one did is forgotten.
+    void add(const Genome &genome, const Evaluation &evaluation);
 };
 
-void save(const Kept &kept, StateWriter &writer);
-/// Throws InputError unless a sound genome and its evaluation come next.
-Kept load_kept(StateReader &reader);
+void save(const Elites &elites, StateWriter &writer);
+/// Throws InputError unless sound genomes and evaluations come next.
+Elites load_elites(StateReader &reader);
 
 /// The generation after `population`: parameters.population children of `parents`, each parent drawn by
-/// `draw`. Parents::species is empty; there is at least one parent.
+/// `draw`. There is at least one parent, all have the shape of the population's genomes, and
+/// Parents::species is empty.
 Population brood(const Population &population, const Parents &parents, const ParentDraw &draw, bool recurrent,
                  const Parameters &parameters, std::uint64_t seed);
 

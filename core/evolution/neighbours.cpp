@@ -10,7 +10,7 @@ namespace planula {
 
 namespace {
 
-constexpr std::size_t leaf_size = 8;
+constexpr std::size_t leaf_size = 16;
 // So many latecomers are looked through one by one before the tree is built again.
 std::size_t patience(std::size_t in_tree) { return 64 + in_tree / 32; }
 

@@ -10,6 +10,21 @@
 
 namespace planula {
 
+void save(const ArchiveEntry &entry, StateWriter &writer) {
+    writer.integer(entry.generation).integer(entry.genome).real(entry.novelty);
+    for (const double value : entry.behaviour) writer.real(value);
+}
+
+ArchiveEntry load_archive_entry(StateReader &reader, std::size_t length) {
+    ArchiveEntry entry;
+    entry.generation = static_cast<int>(reader.integer(0, std::numeric_limits<int>::max()));
+    entry.genome = reader.integer(0, std::numeric_limits<std::int64_t>::max());
+    entry.novelty = reader.finite();
+    entry.behaviour.resize(length);
+    for (double &value : entry.behaviour) value = reader.finite();
+    return entry;
+}
+
 double novelty(std::span<const Neighbour> neighbours) {
     if (neighbours.empty()) return 0;
     double sum = 0;
@@ -66,9 +81,8 @@ void NoveltyArchive::save(StateWriter &writer) const {
     writer.group("archive").real(threshold_).integer(run_).integer(quiet_);
     writer.integer(static_cast<std::int64_t>(length_)).integer(static_cast<std::int64_t>(entries_.size()));
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-        const ArchiveEntry &entry = entries_[i];
-        writer.integer(entry.generation).integer(entry.genome).real(entry.novelty).real(fitness_[i]);
-        for (const double value : entry.behaviour) writer.real(value);
+        planula::save(entries_[i], writer);
+        writer.real(fitness_[i]);
     }
 }
 
@@ -81,20 +95,12 @@ void NoveltyArchive::load(StateReader &reader) {
     run_ = static_cast<int>(reader.integer(0, largest));
     quiet_ = static_cast<int>(reader.integer(0, largest));
     length_ = static_cast<std::size_t>(reader.integer(0, largest));
-    const std::size_t entries = reader.count((4 + length_) * 8);
+    const std::size_t entries = reader.count(archive_entry_bytes(length_) + 8);
     if (length_ == 0 && entries > 0) reader.refuse("an archive has entries without behaviour");
-    for (std::size_t i = 0; i < entries; ++i) load_entry(reader);
-}
-
-void NoveltyArchive::load_entry(StateReader &reader) {
-    ArchiveEntry entry;
-    entry.generation = static_cast<int>(reader.integer(0, std::numeric_limits<int>::max()));
-    entry.genome = reader.integer(0, std::numeric_limits<std::int64_t>::max());
-    entry.novelty = reader.finite();
-    const double fitness = reader.finite();
-    entry.behaviour.resize(length_);
-    for (double &value : entry.behaviour) value = reader.finite();
-    add(std::move(entry), fitness);
+    for (std::size_t i = 0; i < entries; ++i) {
+        ArchiveEntry entry = load_archive_entry(reader, length_);
+        add(std::move(entry), reader.finite());
+    }
 }
 
 } // namespace planula

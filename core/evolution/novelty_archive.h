@@ -24,6 +24,11 @@ struct ArchiveEntry {
     double novelty = 0; // when it was added
 };
 
+void save(const ArchiveEntry &entry, StateWriter &writer);
+/// An entry whose behaviour has this length. Throws InputError.
+ArchiveEntry load_archive_entry(StateReader &reader, std::size_t length);
+constexpr std::size_t archive_entry_bytes(std::size_t length) { return (3 + length) * 8; }
+
 /// Eq. (7): the mean distance to these neighbours, summed in ascending order; 0 without any.
 double novelty(std::span<const Neighbour> neighbours);
 
@@ -52,7 +57,6 @@ class NoveltyArchive {
 
   private:
     void add(ArchiveEntry entry, double fitness);
-    void load_entry(StateReader &reader);
 
     Parameters parameters_;
     std::vector<ArchiveEntry> entries_;

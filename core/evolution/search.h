@@ -43,7 +43,7 @@ class Search {
     virtual void load(StateReader &reader) = 0;
 };
 
-/// The names that make_search knows: "neat", "novelty".
+/// The names that make_search knows: "neat", "novelty", "nsga2", "nslc" (local competition), "map-elites".
 std::span<const std::string_view> search_names();
 /// Throws InputError with the nearest name if there is no such search.
 std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters);

@@ -120,6 +120,9 @@ PARAMETER(double, archive_raise, 1.1, 1, 1000, "1", "§2.7.2", "factor by which 
 PARAMETER(int, archive_patience, 50, 1, 1000000, "generations", "§2.7.2", "after so many generations without an addition the threshold falls")
 PARAMETER(double, archive_lower, 0.9, 0, 1, "1", "§2.7.2", "factor by which the archive's threshold falls")
 
+SECTION("MAP-Elites")
+PARAMETER(double, niche_width, 1, 1e-9, 1e9, "as the descriptor", "ours", "side of a niche of the map in every number of the descriptor")
+
 SECTION("Statistics")
 PARAMETER(double, confidence, 0.95, 0.01, 0.9999, "1", "Fig. 6", "coverage of bootstrap intervals")
 PARAMETER(int, bootstrap_resamples, 10000, 100, 10000000, "resamples", "ours", "resamples of a bootstrap interval")

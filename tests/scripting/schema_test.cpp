@@ -104,9 +104,9 @@ BOOST_AUTO_TEST_CASE(unknown_keys_tell_line_owner_and_nearest_name) {
     BOOST_TEST(test::contains(
         refused_body("parameters = {\n spring_stifness = 5 }"),
         "test.lua:4: no parameter is called 'spring_stifness'; did you mean 'spring_stiffness'?"));
-    BOOST_TEST(
-        test::contains(refused_body("search = 'novelti'"),
-                       "test.lua:3: search: 'novelti' is none of neat, novelty; did you mean 'novelty'?"));
+    BOOST_TEST(test::contains(refused_body("search = 'novelti'"),
+                              "test.lua:3: search: 'novelti' is none of neat, novelty, nsga2, nslc, "
+                              "map-elites; did you mean 'novelty'?"));
     BOOST_TEST(test::contains(refused_body("actuation = 'gnn'"), "did you mean 'grn'?"));
     BOOST_TEST(test::contains(refused_body("5"), "test.lua:3: the experiment has a value without a name"));
 }

@@ -6,7 +6,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <limits>
 #include <set>
+#include <string_view>
 #include <vector>
 
 using namespace planula;
@@ -72,19 +74,28 @@ BOOST_AUTO_TEST_CASE(a_brood_is_a_function_of_its_seed) {
     BOOST_TEST((pool.brood(20).genomes != pool.brood(20, 2).genomes));
 }
 
-BOOST_AUTO_TEST_CASE(nobody_breeds_from_nothing) { BOOST_CHECK_THROW(Pool(0).brood(3), InternalError); }
+BOOST_AUTO_TEST_CASE(nobody_breeds_from_nothing_or_from_another_shape) {
+    BOOST_CHECK_THROW(Pool(0).brood(3), InternalError);
+    Pool pool(2);
+    pool.genomes[1] = specimens::bare(3, 1);
+    BOOST_CHECK_THROW(pool.brood(3), InternalError);
+}
 
-BOOST_AUTO_TEST_CASE(those_kept_read_back_equal) {
-    const Kept kept{Pool(2).genomes[1], {3, {1, 2}, 0.1}};
+BOOST_AUTO_TEST_CASE(elites_read_back_equal_and_are_refused_if_cut_short) {
+    const Pool pool(2);
+    Elites elites;
+    elites.add(pool.genomes[0], {3, {1, 2}, 0.1});
+    elites.add(pool.genomes[1], {7, {std::numeric_limits<double>::quiet_NaN()}, 0}); // forgotten
     StateWriter writer;
-    save(kept, writer);
+    save(elites, writer);
     StateReader reader(writer.bytes());
-    const Kept read = load_kept(reader);
+    const Elites read = load_elites(reader);
     reader.done();
-    BOOST_TEST((read.genome == kept.genome));
-    BOOST_TEST((read.evaluation == kept.evaluation));
-    for (std::size_t length = 0; length < writer.bytes().size(); length += 7) {
+    BOOST_TEST((read.genomes == elites.genomes));
+    BOOST_TEST((read.evaluations[0] == Evaluation{3, {1, 2}, 0.1}));
+    BOOST_TEST((read.evaluations[1] == Evaluation{}));
+    for (std::size_t length = 0; length < writer.bytes().size(); ++length) {
         StateReader cut(std::string_view(writer.bytes()).substr(0, length));
-        BOOST_CHECK_THROW(load_kept(cut), InputError);
+        BOOST_CHECK_THROW(load_elites(cut), InputError);
     }
 }

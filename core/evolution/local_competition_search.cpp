@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/local_competition_search.h"
+
+#include "genome/distance.h"
+
+#include <algorithm>
+
+namespace planula {
+
+namespace {
+
+/// Of each valid genome, the mean distance to the valid others, summed in order; 0 without any.
+std::vector<double> genotypic_diversity(const Elites &pool, const Parameters &parameters) {
+    std::vector<int> valid;
+    for (std::size_t i = 0; i < pool.size(); ++i)
+        if (pool.evaluations[i].valid()) valid.push_back(static_cast<int>(i));
+    std::vector<double> sums(pool.size());
+    for (std::size_t a = 0; a < valid.size(); ++a)
+        for (std::size_t b = a + 1; b < valid.size(); ++b) {
+            const double apart = distance(pool.genomes[valid[a]], pool.genomes[valid[b]], parameters);
+            sums[valid[a]] += apart;
+            sums[valid[b]] += apart;
+        }
+    for (double &sum : sums) sum /= std::max(1.0, static_cast<double>(valid.size()) - 1);
+    return sums;
+}
+
+} // namespace
+
+std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool, const Neighbours &neighbours,
+                                                           const NoveltyArchive &archive) const {
+    const auto fitness = [&](std::size_t index) {
+        return index < pool.size() ? pool.evaluations[index].fitness : archive.fitness(index - pool.size());
+    };
+    const std::vector<double> genotypic = genotypic_diversity(pool, parameters_);
+    std::vector<Objectives> result(pool.size());
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+        const Evaluation &evaluation = pool.evaluations[i];
+        if (!evaluation.valid()) continue;
+        const auto beaten =
+            std::count_if(neighbours[i].begin(), neighbours[i].end(), [&](const Neighbour &neighbour) {
+                return fitness(neighbour.index) < evaluation.fitness;
+            });
+        result[i] = {novelty(neighbours[i]) * evaluation.penalty, static_cast<double>(beaten), genotypic[i]};
+    }
+    return result;
+}
+
+std::vector<double> LocalCompetitionSearch::diversity(std::span<const Objectives> objectives,
+                                                      std::span<const int> front) const {
+    std::vector<double> result;
+    for (const int who : front) result.push_back(objectives[who].back());
+    return result;
+}
+
+} // namespace planula

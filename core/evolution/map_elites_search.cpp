@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/map_elites_search.h"
+
+#include "base/check.h"
+
+#include <cmath>
+#include <limits>
+
+namespace planula {
+
+std::vector<double> MapElitesSearch::score(const Population &population,
+                                           std::span<const Evaluation> evaluations) {
+    CHECK(evaluations.size() == population.genomes.size(), evaluations.size(), population.genomes.size());
+    check_behaviours(evaluations, length_);
+    std::vector<double> scores(evaluations.size());
+    for (std::size_t slot = 0; slot < evaluations.size(); ++slot) {
+        const Genome &genome = population.genomes[slot];
+        const Evaluation &evaluation = evaluations[slot];
+        if (!evaluation.valid() || !enters(evaluation)) continue;
+        scores[slot] = enter(genome, evaluation);
+        archive_.push_back({population.generation, genome.id, evaluation.behaviour, scores[slot]});
+    }
+    return scores;
+}
+
+MapElitesSearch::Niche MapElitesSearch::niche_of(const Evaluation &evaluation) const {
+    Niche niche;
+    for (const double value : evaluation.behaviour)
+        niche.push_back(std::floor(value / parameters_.niche_width));
+    return niche;
+}
+
+bool MapElitesSearch::enters(const Evaluation &evaluation) const {
+    const auto found = niches_.find(niche_of(evaluation));
+    return found == niches_.end() || evaluation.fitness > elites_.evaluations[found->second].fitness;
+}
+
+double MapElitesSearch::enter(const Genome &genome, const Evaluation &evaluation) {
+    const auto [entry, is_new] = niches_.try_emplace(niche_of(evaluation), elites_.size());
+    if (is_new) {
+        elites_.add(genome, evaluation);
+        return evaluation.fitness;
+    }
+    const double before = elites_.evaluations[entry->second].fitness;
+    elites_.genomes[entry->second] = genome;
+    elites_.evaluations[entry->second] = evaluation;
+    return evaluation.fitness - before;
+}
+
+Population MapElitesSearch::next(const Population &population, std::span<const double> scores,
+                                 const NetworkShape &shape, std::uint64_t seed) const {
+    std::vector<double> fitness;
+    for (const Evaluation &evaluation : elites_.evaluations) fitness.push_back(evaluation.fitness);
+    const Parents parents =
+        elites_.size() > 0 ? Parents{elites_.genomes, fitness, {}} : Parents{population.genomes, scores, {}};
+    const auto any = [&](Stream &stream) {
+        return static_cast<int>(stream.below(static_cast<std::uint32_t>(parents.genomes.size())));
+    };
+    return brood(population, parents, any, shape.recurrent, parameters_, seed);
+}
+
+void MapElitesSearch::save(StateWriter &writer) const {
+    writer.group("map-elites search");
+    planula::save(elites_, writer);
+    writer.group("archive").integer(static_cast<std::int64_t>(length_));
+    writer.integer(static_cast<std::int64_t>(archive_.size()));
+    for (const ArchiveEntry &entry : archive_) planula::save(entry, writer);
+}
+
+void MapElitesSearch::load(StateReader &reader) {
+    *this = MapElitesSearch(parameters_);
+    reader.group("map-elites search");
+    const Elites elites = load_elites(reader);
+    reader.group("archive");
+    length_ = static_cast<std::size_t>(reader.integer(0, std::numeric_limits<int>::max()));
+    for (std::size_t left = reader.count(archive_entry_bytes(length_)); left > 0; --left)
+        archive_.push_back(load_archive_entry(reader, length_));
+
+    // The map follows from its elites.
+    for (std::size_t i = 0; i < elites.size(); ++i) {
+        const Evaluation &evaluation = elites.evaluations[i];
+        if (!evaluation.valid() || evaluation.behaviour.empty() || evaluation.behaviour.size() != length_)
+            reader.refuse("an elite has no niche");
+        if (niches_.contains(niche_of(evaluation))) reader.refuse("two elites share a niche");
+        enter(elites.genomes[i], evaluation);
+    }
+}
+
+} // namespace planula

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// MAP-Elites (Mouret & Clune 2015, "Illuminating search spaces by mapping elites", arXiv:1504.04909): the
+// space of behaviours is divided into niches, and of all who ever fell into a niche the fittest is kept, the
+// first of equals. Parents are drawn uniformly from these elites; a generation is a batch of children. The
+// niches are the cubes of a grid without bounds, niche_width wide; a descriptor scales each of its numbers
+// to that width. An invalid individual has no niche.
+//
+// An individual's score is what it adds to the map: its fitness less that of the elite it replaces, all of it
+// in an empty niche, 0 if it replaces none. The sum of all that was ever added is the QD-score of Pugh,
+// Soros & Stanley (2016), the sum of fitness over the map. The archive lists everyone who became an elite,
+// with that score as novelty; the last entry of each niche holds it.
+#pragma once
+
+#include "evolution/brood.h"
+#include "evolution/search.h"
+
+#include <map>
+
+namespace planula {
+
+class MapElitesSearch final : public Search {
+  public:
+    explicit MapElitesSearch(const Parameters &parameters) : parameters_(parameters) {}
+
+    /// Throws InputError as check_behaviours() does.
+    std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
+    /// As long as there is no elite, parents are drawn from the population.
+    Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
+                    std::uint64_t seed) const override;
+    bool keeps_archive() const override { return true; }
+    std::span<const ArchiveEntry> archive() const override { return archive_; }
+    void save(StateWriter &writer) const override;
+    void load(StateReader &reader) override;
+
+    /// One for each niche that was ever entered, in order of first entry.
+    const Elites &elites() const { return elites_; }
+
+  private:
+    /// Multiples of the width, rounded down.
+    using Niche = std::vector<double>;
+    Niche niche_of(const Evaluation &evaluation) const;
+    bool enters(const Evaluation &evaluation) const;
+    /// Returns what it adds to the map.
+    double enter(const Genome &genome, const Evaluation &evaluation);
+
+    Parameters parameters_;
+    Elites elites_;
+    std::map<Niche, std::size_t> niches_; // places among the elites
+    std::vector<ArchiveEntry> archive_;
+    std::size_t length_ = 0; // of every behaviour of the run; 0 until the first is seen
+};
+
+} // namespace planula

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "evolution/nsga2_search.h"
+
+namespace planula {
+
+std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const Neighbours &neighbours,
+                                                const NoveltyArchive &) const {
+    std::vector<Objectives> result(pool.size());
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+        const Evaluation &evaluation = pool.evaluations[i];
+        if (evaluation.valid()) result[i] = {evaluation.fitness, novelty(neighbours[i]) * evaluation.penalty};
+    }
+    return result;
+}
+
+std::vector<double> Nsga2Search::diversity(std::span<const Objectives> objectives,
+                                           std::span<const int> front) const {
+    return crowding_distances(objectives, front);
+}
+
+} // namespace planula

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Searches with several objectives, by the main loop of NSGA-II (Deb et al. 2002, §III.C; evolution/pareto.h):
+// the individuals kept so far and the generation that has just lived are ranked together, by front and, within
+// a front, by diversity; as many as a population holds are kept, and breed by binary tournaments on that
+// rank. Those kept do not live again. What the objectives are, and what diversity is, each search says.
+//
+// One objective is always novelty, Eq. (7), times the penalty: of kept and new ones alike among all of both
+// and the archive, anew in every generation. The archive is that of novelty search and takes in new ones
+// only. An invalid individual is not feasible.
+#pragma once
+
+#include "evolution/brood.h"
+#include "evolution/pareto.h"
+#include "evolution/search.h"
+
+#include <string>
+
+namespace planula {
+
+class ParetoSearch : public Search {
+  public:
+    /// The number of those, kept or new, whom an individual outranks. Throws InputError as
+    /// check_behaviours() does.
+    std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
+    Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
+                    std::uint64_t seed) const override;
+    bool keeps_archive() const override { return true; }
+    std::span<const ArchiveEntry> archive() const override { return archive_.entries(); }
+    double archive_threshold() const override { return archive_.threshold(); }
+    void save(StateWriter &writer) const override;
+    void load(StateReader &reader) override;
+
+    /// The parents of the next generation, the highest rank first.
+    const Elites &kept() const { return kept_; }
+
+  protected:
+    ParetoSearch(std::string name, const Parameters &parameters)
+        : parameters_(parameters), name_(std::move(name)), archive_(parameters) {}
+
+    using Neighbours = std::vector<std::vector<Neighbour>>;
+    /// Of each valid individual of the pool, whose neighbours are those of NoveltyArchive::neighbours().
+    virtual std::vector<Objectives> objectives(const Elites &pool, const Neighbours &neighbours,
+                                               const NoveltyArchive &archive) const = 0;
+    /// What decides within a front, the higher the better; there is at least one objective.
+    virtual std::vector<double> diversity(std::span<const Objectives> objectives,
+                                          std::span<const int> front) const = 0;
+
+    const Parameters parameters_;
+
+  private:
+    std::vector<int> ranked(std::span<const Objectives> objectives) const;
+
+    std::string name_;
+    NoveltyArchive archive_;
+    Elites kept_;
+};
+
+} // namespace planula

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The tests that every search passes are in search_test.cpp.
+#include "evolution/nsga2_search.h"
+
+#include "core/evolution/toy_run.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <vector>
+
+using namespace planula;
+using boost::test_tools::per_element;
+
+namespace {
+
+Parameters of(int population, int k = 1) {
+    Parameters parameters;
+    parameters.population = population;
+    parameters.novelty_neighbours = k;
+    return parameters;
+}
+
+/// A generation of so many genomes with ids from `first` on.
+Population numbered(int size, std::int64_t first) {
+    Population population = populations::of({std::vector<double>(size, 1)});
+    for (Genome &genome : population.genomes) genome.id = first++;
+    return population;
+}
+
+std::vector<std::int64_t> ids(const Elites &elites) {
+    std::vector<std::int64_t> result;
+    for (const Genome &genome : elites.genomes) result.push_back(genome.id);
+    return result;
+}
+
+using Ids = std::vector<std::int64_t>;
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_objectives_are_fitness_and_penalised_novelty) {
+    Elites pool;
+    pool.add(Genome(), {7, {0}, 0.5});
+    pool.add(Genome(), {3, {4}, 1});
+    pool.add(Genome(), {9, {4}, 0});
+    const std::vector<std::vector<Neighbour>> neighbours{{{4, 1}, {16, 3}}, {{4, 0}}, {}};
+    const auto objectives = Nsga2Search(of(3)).objectives(pool, neighbours, NoveltyArchive(of(3)));
+    BOOST_TEST(objectives[0] == (Objectives{7, 1.5}), per_element()); // (2 + 4) / 2 · 0.5
+    BOOST_TEST(objectives[1] == (Objectives{3, 2}), per_element());
+    BOOST_TEST(objectives[2].empty());
+}
+
+BOOST_AUTO_TEST_CASE(parents_and_children_compete_by_front_then_by_crowding) {
+    // Novelty by one neighbour on a line. Generation 0: at 0, 1, 5, fitness 1, 3, 2: novelty 1, 1, 4. Fronts
+    // {1, 2}, {0}; within the first both are ends, and equals keep their order.
+    Nsga2Search search(of(3));
+    const auto scores =
+        search.score(numbered(3, 0), std::vector<Evaluation>{{1, {0}, 1}, {3, {1}, 1}, {2, {5}, 1}});
+    BOOST_TEST(ids(search.kept()) == (Ids{1, 2, 0}), per_element());
+    BOOST_TEST(scores == (std::vector<double>{0, 2, 1}), per_element());
+    BOOST_TEST(search.archive().size() == 3u); // each is novel enough
+
+    // Generation 1: at 5, 20, none; fitness 9, 2. All three old ones and the archive are neighbours: the old
+    // ones lie upon their own entries, novelty 0; so does the first child; the second has 15. Fronts: {3, 4},
+    // then fitness alone: {1}, {2}, {0}; who is not valid comes last.
+    const auto later = search.score(numbered(3, 3), std::vector<Evaluation>{{9, {5}, 1}, {2, {20}, 1}, {}});
+    BOOST_TEST(ids(search.kept()) == (Ids{3, 4, 1}), per_element());
+    BOOST_TEST(later == (std::vector<double>{5, 4, 0}), per_element());
+    BOOST_TEST(search.archive().size() == 4u); // the one at 20; old ones do not enter again
+}
+
+BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_go) {
+    // One front, fitness falling as novelty rises, and those of fitness 0 behind it.
+    Parameters parameters = of(4);
+    parameters.archive_threshold = 1e6;
+    Nsga2Search search(parameters);
+    // Pairs on a line; the distance within a pair is the novelty: 1, 2, 2.5, 10.
+    std::vector<Evaluation> pairs;
+    double x = 0;
+    for (const auto &[apart, fitness] : {std::pair{1.0, 10.0}, {2.0, 9.0}, {2.5, 8.5}, {10.0, 1.0}}) {
+        pairs.push_back({fitness, {x}, 1});
+        pairs.push_back({0, {x + apart}, 1});
+        x += 100;
+    }
+    search.score(numbered(8, 0), pairs);
+    // Crowding of slot 2: 1.5/9 + 1.5/9; of slot 4: 8/9 + 8/9.
+    BOOST_TEST(ids(search.kept()) == (Ids{0, 6, 4, 2}), per_element());
+}
+
+BOOST_AUTO_TEST_CASE(binary_tournaments_prefer_the_higher_rank) {
+    // Of n, the one at place i from 0 wins (2 (n − i) − 1) / n² of all tournaments; nobody mates here.
+    Parameters parameters = populations::frozen(4000);
+    parameters.novelty_neighbours = 1;
+    Nsga2Search search(parameters);
+    std::vector<Evaluation> evaluations;
+    for (int i = 0; i < 4; ++i) evaluations.push_back({10.0 - i, {0}, 1});
+    const Population population = numbered(4, 0);
+    const auto scores = search.score(population, evaluations);
+    BOOST_TEST(ids(search.kept()) == (Ids{0, 1, 2, 3}), per_element());
+    std::vector<int> children(4);
+    for (const Genome &genome : search.next(population, scores, {2, 1, false}, 1).genomes)
+        ++children[genome.mother];
+    for (int i = 0; i < 4; ++i) BOOST_TEST(std::abs(children[i] - 4000 * (7 - 2 * i) / 16) < 130);
+}
+
+BOOST_AUTO_TEST_CASE(the_front_of_a_known_problem_is_approached_and_kept) {
+    // Behaviour is the sum of weights, and fitness falls with its square: the fittest stand still, the novel
+    // go far. No generation loses the fittest.
+    const Judgement judge = [](const Genome &genome) {
+        double sum = 0;
+        for (const LinkGene &link : genome.links) sum += link.weight;
+        return Evaluation{100 / (1 + sum * sum), {sum}, 1};
+    };
+    ToyRun run("nsga2", of(40, 5), 1, judge);
+    const auto &search = dynamic_cast<const Nsga2Search &>(*run.search);
+    double best = 0, widest = 0;
+    for (int generation = 0; generation < 40; ++generation) {
+        run.step();
+        double now = 0;
+        for (const Evaluation &evaluation : search.kept().evaluations) {
+            now = std::max(now, evaluation.fitness);
+            widest = std::max(widest, std::abs(evaluation.behaviour[0]));
+        }
+        BOOST_TEST(now >= best);
+        best = now;
+    }
+    BOOST_TEST(best > 99.9);
+    BOOST_TEST(widest > 5);
+}
