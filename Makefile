@@ -120,6 +120,13 @@ torture: deps build/CMakeCache.txt ## the same, over compilers, optimisation lev
 	@build/tests/passive_bodies 50000
 	@bash tests/torture/kills.sh $(PLANULA)
 
+# Twenty seeds a row take about a quarter of an hour on two free cores; BENCHMARK_SEEDS='1 50' more than twice as long.
+BENCHMARK_SEEDS ?= 1 20
+benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and mazes, and beside MultiNEAT: tests/benchmarks/*.csv
+	@cmake --build build --parallel $(JOBS) --target benchmarks > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
+	@build/tests/benchmarks $(BENCHMARK_SEEDS) | tee build/benchmarks.csv
+	@mv build/benchmarks.csv tests/benchmarks/results.csv
+
 lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
 	@failed=0; for check in layering sources format lint_test; do \
 	  bash tests/lint/$$check.sh || failed=$$((failed + 1)); done; \
@@ -142,7 +149,7 @@ deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity build program signature \
-        verify-signature torture lint format clean deps deps-paper always
+        verify-signature torture benchmarks lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:
