@@ -113,19 +113,23 @@ signature: program ## one hash over all eight settings must be the one in tests/
 verify-signature: deps ## the same, with a second compiler or optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps build/CMakeCache.txt ## the same, over compilers, optimisation levels, threads and a processor without AVX2 and FMA; 10^5 hostile genomes; 10^4 passive bodies; a run killed 200 times
+torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills
 	@bash tests/torture/signature.sh --all
-	@cmake --build build --parallel $(JOBS) --target planula random_genomes passive_bodies > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
+	@cmake --build build --parallel $(JOBS) --target planula $(TORTURE) > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
 	@build/tests/random_genomes 200000
 	@build/tests/passive_bodies 50000
+	@build/tests/random_cases 100000
 	@bash tests/torture/kills.sh $(PLANULA)
+TORTURE = random_genomes passive_bodies random_cases
 
 # Twenty seeds a row take about a quarter of an hour on two free cores; BENCHMARK_SEEDS='1 50' more than twice as long.
 BENCHMARK_SEEDS ?= 1 20
 benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and mazes, and beside MultiNEAT: tests/benchmarks/*.csv
-	@cmake --build build --parallel $(JOBS) --target benchmarks > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
+	@cmake --build build --parallel $(JOBS) --target benchmarks multineat > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
 	@build/tests/benchmarks $(BENCHMARK_SEEDS) | tee build/benchmarks.csv
 	@mv build/benchmarks.csv tests/benchmarks/results.csv
+	@build/tests/multineat 1 50 | tee build/multineat.csv
+	@mv build/multineat.csv tests/benchmarks/multineat.csv
 
 lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
 	@failed=0; for check in layering sources format lint_test; do \
