@@ -94,15 +94,27 @@ template <class T, class NumberAt> T load_each(const NumberAt &number_at) {
     return load<T>(numbers);
 }
 
+/// The lanes in which a condition holds: bit i for lane i.
+template <class T> unsigned bits_of(typename T::Mask mask) {
+    if constexpr (T::width == 1) return mask;
+#if defined(__x86_64__)
+    if constexpr (T::width == 4) return static_cast<unsigned>(_mm_movemask_ps((__m128)mask));
+#endif
+#if defined(__AVX__)
+    if constexpr (T::width == 8) return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask));
+#endif
+}
+
 /// Whether a condition holds in every lane.
-template <class T> bool all_of(typename T::Mask mask) {
-    if constexpr (T::width == 1) {
-        return mask;
-    } else {
-        for (int lane = 0; lane < T::width; ++lane)
-            if (!mask[lane]) return false;
-        return true;
-    }
+template <class T> bool all_of(typename T::Mask mask) { return bits_of<T>(mask) == (1u << T::width) - 1; }
+
+/// The least number of all lanes.
+template <class T> float least_of(T lanes) {
+    float numbers[T::width];
+    store(lanes, numbers);
+    for (const float number : numbers)
+        if (number < numbers[0]) numbers[0] = number;
+    return numbers[0];
 }
 
 /// Rows to columns, in each block of four lanes.
@@ -135,19 +147,16 @@ template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &
         const float *r = record_at(0);
         return {T::of(r[0]), T::of(r[1]), T::of(r[2]), T::of(r[3])};
     }
-    using Four = VectorsOf<4>::Floats;
-    const auto row = [&](int i) {
-        Four four;
-        __builtin_memcpy(&four, record_at(i), sizeof four);
-        return four;
-    };
-    if constexpr (T::width == 4) return transposed<T>(row(0), row(1), row(2), row(3));
+    if constexpr (T::width == 4) {
+        const auto row = [&](int i) { return load<T>(record_at(i)).value; };
+        return transposed<T>(row(0), row(1), row(2), row(3));
+    }
+#if defined(__AVX__)
     if constexpr (T::width == 8) {
-        const auto rows = [&](int i) {
-            return __builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7);
-        };
+        const auto rows = [&](int i) { return _mm256_loadu2_m128(record_at(i + 4), record_at(i)); };
         return transposed<T>(rows(0), rows(1), rows(2), rows(3));
     }
+#endif
 }
 
 /// The fields of `T::width` records to records that lie one after another.

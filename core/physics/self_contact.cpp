@@ -12,84 +12,74 @@ namespace {
 
 template <class T> Vec2<T> unit(Vec2<T> v) { return v / std::sqrt(std::max(squared_length(v), T(1e-12))); }
 
-/// The cells that may be pushed, ascending.
-std::vector<int> involved_nodes(const SoftBodyModel &model) {
-    std::vector<int> nodes = model.contact_cells;
-    for (const OutlineLink &link : model.outline) nodes.insert(nodes.end(), {link.a, link.b});
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    return nodes;
+/// Whether a cell that lies so from the foot on its nearest link, at t of it, is outside the body.
+template <class T>
+bool is_outside(const SoftBodyModel &model, std::size_t contact_cell, int link, T t, Vec2<T> from_foot,
+                Points<T> positions) {
+    const auto normal = [&](int index) {
+        const OutlineLink &l = model.outline[index];
+        return unit(right_normal(positions[l.b] - positions[l.a]));
+    };
+    if (t > 0 && t < 1) return dot(from_foot, normal(link)) >= 0;
+
+    // At a corner both links that meet there decide.
+    const int other = t > 0 ? model.outline[link].next : model.outline[link].previous;
+    if (other < 0 || model.is_masked(contact_cell, static_cast<std::size_t>(other))) return true;
+    return dot(from_foot, normal(link) + normal(other)) >= 0;
 }
 
 } // namespace
 
-template <class T> void SelfContact<T>::load(const SoftBodyModel &model) {
-    model_ = &model;
-    stiffness_ = static_cast<T>(model.parameters.contact_stiffness);
-    radius_ = static_cast<T>(model.parameters.contact_radius);
-    depth_ = static_cast<T>(model.parameters.contact_depth);
-    nodes_ = model.contact_cells.empty() ? std::vector<int>{} : involved_nodes(model);
-    listed_at_.clear(), searched_at_.clear(), touches_.clear();
+template <class T>
+Touch<T> touch_of(const SoftBodyModel &model, std::size_t contact_cell, int link, Points<T> positions) {
+    const Parameters &p = model.parameters;
+    const int cell = model.contact_cells[contact_cell], a = model.outline[link].a, b = model.outline[link].b;
+    const auto foot = foot_on_segment(positions[cell], positions[a], positions[b]);
+    const Vec2<T> from_foot = positions[cell] - foot.point;
+    const Vec2<T> force =
+        contact_force(from_foot, is_outside(model, contact_cell, link, foot.t, from_foot, positions),
+                      static_cast<T>(p.contact_stiffness), static_cast<T>(p.contact_radius),
+                      static_cast<T>(p.contact_depth));
+
+    // The link takes the reaction by the lever of the foot.
+    return {cell, a, b, force, -force * (1 - foot.t), -force * foot.t};
 }
 
-template <class T> std::span<const Touch<T>> SelfContact<T>::touches(Points<T> positions) {
-    // Nothing can have come into reach, or all that may is in the list.
-    if (nodes_.empty()) return {};
-    if (!(motion_since(searched_at_, positions) >= clearance_)) return {};
-    T moved = motion_since(listed_at_, positions);
-    if (!(moved < skin_)) make_list(positions), moved = 0;
+template Touch<float> touch_of(const SoftBodyModel &, std::size_t, int, Points<float>);
+template Touch<double> touch_of(const SoftBodyModel &, std::size_t, int, Points<double>);
 
-    // Each cell and the link nearest to it, if that is in reach.
-    touches_.clear();
-    const T reach = std::max(radius_, depth_);
-    T least = std::numeric_limits<T>::infinity();
-    for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) {
-        if (first_[cell] == first_[cell + 1]) continue;
-        const Nearest nearest = nearest_link(cell, positions);
-        least = std::min(least, nearest.squared);
-        if (!(nearest.squared < reach * reach)) continue;
-        const Touch<T> found = touch(cell, nearest, positions);
-        if (found.force != Vec2<T>{}) touches_.push_back(found);
-    }
-
-    // The margin is far above what rounding can do to these distances.
-    clearance_ = std::min(std::sqrt(least) - reach, skin_ - moved) - T(1e-3);
-    remember(positions, searched_at_);
-    return touches_;
+template <class T> void SelfContact<T>::load(const SoftBodyModel &model) {
+    model_ = &model;
+    reach_ = static_cast<T>(std::max(model.parameters.contact_radius, model.parameters.contact_depth));
+    listed_at_.clear();
 }
 
 template <class T>
 void SelfContact<T>::add_forces(std::span<const Vec2<T>> positions, std::span<Vec2<T>> forces) {
-    for (const auto &[cell, a, b, force, t] : touches(positions)) {
-        forces[cell] += force;
-        forces[a] -= force * (1 - t);
-        forces[b] -= force * t;
+    if (list_is_stale(positions)) make_list(positions);
+    for (std::size_t i = 0; i < model_->contact_cells.size(); ++i) {
+        const int link = nearest_link(i, positions);
+        if (link < 0) continue;
+        const auto touch = touch_of<T>(*model_, i, link, positions);
+        forces[touch.cell] += touch.on_cell;
+        forces[touch.a] += touch.on_a;
+        forces[touch.b] += touch.on_b;
     }
 }
 
-/// At most so much has the distance of two nodes, or of a node from a link, changed: the diagonal of the box
-/// around all displacements. Infinite if nothing is remembered.
-template <class T> T SelfContact<T>::motion_since(const std::vector<Vec2<T>> &then, Points<T> now) const {
-    if (then.empty()) return std::numeric_limits<T>::infinity();
-    Vec2<T> low = now[nodes_[0]] - then[0], high = low;
-    for (std::size_t i = 1; i < nodes_.size(); ++i) {
-        const Vec2<T> moved = now[nodes_[i]] - then[i];
-        low = {std::min(low.x, moved.x), std::min(low.y, moved.y)};
-        high = {std::max(high.x, moved.x), std::max(high.y, moved.y)};
-    }
-    return length(high - low);
+template <class T> bool SelfContact<T>::list_is_stale(std::span<const Vec2<T>> positions) const {
+    if (listed_at_.empty()) return true;
+    T farthest = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        farthest = std::max(farthest, squared_length(positions[i] - listed_at_[i]));
+    return farthest > T(0.25) * skin_ * skin_;
 }
 
-template <class T> void SelfContact<T>::remember(Points<T> positions, std::vector<Vec2<T>> &at) const {
-    at.clear();
-    for (const int node : nodes_) at.push_back(positions[node]);
-}
-
-template <class T> void SelfContact<T>::make_list(Points<T> positions) {
-    remember(positions, listed_at_);
+template <class T> void SelfContact<T>::make_list(std::span<const Vec2<T>> positions) {
+    listed_at_.assign(positions.begin(), positions.end());
     first_.assign(1, 0);
     candidates_.clear();
-    const T reach = std::max(radius_, depth_) + skin_;
+    const T reach = reach_ + skin_;
     for (std::size_t cell = 0; cell < model_->contact_cells.size(); ++cell) {
         const Vec2<T> p = positions[model_->contact_cells[cell]];
         for (std::size_t link = 0; link < model_->outline.size(); ++link) {
@@ -102,42 +92,19 @@ template <class T> void SelfContact<T>::make_list(Points<T> positions) {
     }
 }
 
-/// Of equals the lowest.
+/// Of equals the lowest; -1: none is listed.
 template <class T>
-auto SelfContact<T>::nearest_link(std::size_t contact_cell, Points<T> positions) const -> Nearest {
+int SelfContact<T>::nearest_link(std::size_t contact_cell, std::span<const Vec2<T>> positions) const {
     const Vec2<T> p = positions[model_->contact_cells[contact_cell]];
-    Nearest nearest{.squared = std::numeric_limits<T>::infinity()};
+    T nearest = std::numeric_limits<T>::infinity();
+    int found = -1;
     for (int i = first_[contact_cell]; i < first_[contact_cell + 1]; ++i) {
         const OutlineLink &link = model_->outline[candidates_[i]];
         const auto foot = foot_on_segment(p, positions[link.a], positions[link.b]);
-        const Vec2<T> from_foot = p - foot.point;
-        const T squared = squared_length(from_foot);
-        if (squared < nearest.squared) nearest = {candidates_[i], squared, from_foot, foot.t};
+        const T squared = squared_length(p - foot.point);
+        if (squared < nearest) nearest = squared, found = candidates_[i];
     }
-    return nearest;
-}
-
-template <class T>
-Touch<T> SelfContact<T>::touch(std::size_t contact_cell, const Nearest &nearest, Points<T> positions) const {
-    const bool outside = is_outside(contact_cell, nearest, positions);
-    const OutlineLink &link = model_->outline[nearest.link];
-    return {model_->contact_cells[contact_cell], link.a, link.b,
-            contact_force(nearest.from_foot, outside, stiffness_, radius_, depth_), nearest.t};
-}
-
-template <class T>
-bool SelfContact<T>::is_outside(std::size_t contact_cell, const Nearest &nearest, Points<T> positions) const {
-    const auto normal = [&](int index) {
-        const OutlineLink &l = model_->outline[index];
-        return unit(right_normal(positions[l.b] - positions[l.a]));
-    };
-    if (nearest.t > 0 && nearest.t < 1) return dot(nearest.from_foot, normal(nearest.link)) >= 0;
-
-    // At a corner both links that meet there decide.
-    const OutlineLink &link = model_->outline[nearest.link];
-    const int other = nearest.t > 0 ? link.next : link.previous;
-    if (other < 0 || model_->is_masked(contact_cell, static_cast<std::size_t>(other))) return true;
-    return dot(nearest.from_foot, normal(nearest.link) + normal(other)) >= 0;
+    return found;
 }
 
 template class SelfContact<float>;

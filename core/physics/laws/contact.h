@@ -16,9 +16,10 @@ template <class T> struct Foot {
 };
 
 template <class T> Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
+    using std::max, std::min;
     const Vec2<T> edge = b - a;
-    const T along = dot(p - a, edge) / std::max(squared_length(edge), T(1e-12));
-    const T t = std::min(std::max(along, T(0)), T(1));
+    const T along = dot(p - a, edge) / max(squared_length(edge), T(1e-12));
+    const T t = min(max(along, T(0)), T(1));
     return {a + edge * t, t};
 }
 

@@ -21,7 +21,7 @@ Vec2<T> ground_contact(Vec2<T> position, Vec2<T> velocity, const GroundPlane<T> 
     const Vec2<T> along = right_normal(ground.normal);
     const T up = dot(velocity, ground.normal);
     const T gap = dot(position - ground.point, ground.normal) + up * time_step;
-    const T impulse = -gap / time_step;
+    const T impulse = -gap * (T(1) / time_step);
     const T sliding = dot(velocity, along), slowed = max(abs(sliding) - friction * impulse, T(0));
     const Vec2<T> touching = ground.normal * (up + impulse) + along * select(sliding < T(0), -slowed, slowed);
     return select(gap < T(0), touching, velocity);

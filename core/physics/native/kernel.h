@@ -53,6 +53,17 @@ struct KnotTask {
     float steps;
 };
 
+/// Eight pairs of a contact cell and an outline link.
+struct PairGroup {
+    Place cell[group_size] = {}, a[group_size] = {}, b[group_size] = {};
+};
+
+/// Circles around outline links, `group_size` to a group: nothing outside comes near the link.
+struct Circles {
+    const float *x, *y, *squared_radius;
+    int group_count;
+};
+
 struct Kernel {
     const char *name; // "scalar", "sse2", "avx2"
     /// Moves all nodes from `now` to `next`.
@@ -61,6 +72,17 @@ struct Kernel {
     void (*drag)(const DragTask &task, const Record *now, float *half_x, float *half_y);
     /// Leaves the last knot for the next.
     void (*reach_knot)(const KnotTask &task, Slot *slots);
+
+    /// By how much nodes first … end - 1 (multiples of 8) have moved against each other since `then`: the
+    /// squared diagonal of the box around all displacements.
+    float (*squared_motion)(const Record *then, const Record *now, int first, int end);
+    /// The circles of all points nearer to a link than `reach`, or a little more.
+    void (*circle_links)(const OutlineGroup *links, int group_count, const Record *now, float reach, float *x,
+                         float *y, float *squared_radius);
+    /// The circles that hold a node: bit i of inside[group] for the i-th of the group.
+    void (*find_circles)(const Circles &circles, const Record &node, unsigned char *inside);
+    /// Squared distance of each pair; returns the least.
+    float (*measure_pairs)(const PairGroup *pairs, int group_count, const Record *now, float *squared);
 };
 
 /// Those that this build has and this processor runs, narrowest first; "scalar" is always there.

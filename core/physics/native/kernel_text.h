@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/lanes.h"
+#include "physics/laws/contact.h"
 #include "physics/laws/drag.h"
 #include "physics/laws/ground.h"
 #include "physics/laws/pressure.h"
@@ -19,8 +20,8 @@ namespace {
 /// Positions and velocities of as many nodes.
 template <class T> struct Nodes { Vec2<T> position, velocity; };
 
-template <class T> Nodes<T> load_nodes(const Record *records, const int *which) {
-    const auto fields = load_fields<T>([&](int lane) { return &records[which[lane]].x; });
+template <class T> Nodes<T> load_nodes(const Record *records, const Place *places) {
+    const auto fields = load_fields<T>([&](int lane) { return &records->x + places[lane]; });
     return {{fields.a, fields.b}, {fields.c, fields.d}};
 }
 
@@ -70,7 +71,7 @@ template <class T> GroundPlane<T> ground_below(const StepTask &task, T x) {
     return {{load<T>(plane[0]), load<T>(plane[1])}, {load<T>(plane[2]), load<T>(plane[3])}};
 }
 
-template <class T> StepResult step(const StepTask &task, const Record *now, Record *next) {
+template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const Record *now, Record *next) {
     const T time_step(task.time_step), slowing(task.slowing), fall(task.fall), friction(task.friction);
     const T limit(task.squared_limit);
     T fastest(0);
@@ -96,15 +97,11 @@ template <class T> StepResult step(const StepTask &task, const Record *now, Reco
             within = within & (squared <= limit);
             fastest = max(fastest, squared);
         }
-    float speeds[T::width];
-    store(fastest, speeds);
-    StepResult result{.beyond = !all_of<T>(within)};
-    for (const float speed : speeds)
-        result.squared_speed = speed > result.squared_speed ? speed : result.squared_speed;
-    return result;
+    return {-least_of(-fastest), !all_of<T>(within)};
 }
 
-template <class T> void drag(const DragTask &task, const Record *now, float *half_x, float *half_y) {
+template <class T>
+[[gnu::flatten]] void drag(const DragTask &task, const Record *now, float *half_x, float *half_y) {
     const T normal(task.normal), tangential(task.tangential);
     const Vec2<T> flow{task.flow_x, task.flow_y};
     for (int i = 0; i < task.group_count; ++i)
@@ -118,7 +115,7 @@ template <class T> void drag(const DragTask &task, const Record *now, float *hal
         }
 }
 
-template <class T> void reach_knot(const KnotTask &task, Slot *slots) {
+template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *slots) {
     const T per_step = T(1) / T(task.steps);
     for (int i = 0; i < task.group_count; ++i)
         for (int lane = 0; lane < group_size; lane += T::width) {
@@ -126,7 +123,7 @@ template <class T> void reach_knot(const KnotTask &task, Slot *slots) {
             Slot *slot = slots + task.groups[i].first_slot;
             for (Slot *const end = slot + task.groups[i].slots; slot != end; ++slot) {
                 const T other =
-                    load_each<T>([&](int j) { return task.elongation[slot->neighbour[lane + j]]; });
+                    load_each<T>([&](int j) { return task.elongation[slot->neighbour[lane + j] / 4]; });
                 const T from = load<T>(slot->next_pull + lane);
                 const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
                 store(from, slot->pull + lane);
@@ -136,7 +133,89 @@ template <class T> void reach_knot(const KnotTask &task, Slot *slots) {
         }
 }
 
-template <class T> Kernel kernel_of(const char *name) { return {name, step<T>, drag<T>, reach_knot<T>}; }
+template <class T>
+[[gnu::flatten]] float squared_motion(const Record *then, const Record *now, int first, int end) {
+    // Records as they lie: lanes hold x, y, vx, vy in turn.
+    constexpr int vectors = T::width < 4 ? 4 / T::width : 1, floats = vectors * T::width;
+    T low[vectors], high[vectors];
+    for (int k = 0; k < vectors; ++k) low[k] = T(__builtin_inff()), high[k] = T(-__builtin_inff());
+    for (int i = 4 * first; i < 4 * end; i += floats)
+        for (int k = 0; k < vectors; ++k) {
+            const int place = i + k * T::width;
+            const T moved = load<T>(&now->x + place) - load<T>(&then->x + place);
+            low[k] = min(low[k], moved), high[k] = max(high[k], moved);
+        }
+
+    // Over all records of a vector.
+    float lows[floats], highs[floats], range[2];
+    for (int k = 0; k < vectors; ++k)
+        store(low[k], lows + k * T::width), store(high[k], highs + k * T::width);
+    for (int axis = 0; axis < 2; ++axis) {
+        for (int i = axis + 4; i < floats; i += 4) {
+            if (lows[i] < lows[axis]) lows[axis] = lows[i];
+            if (highs[i] > highs[axis]) highs[axis] = highs[i];
+        }
+        range[axis] = highs[axis] - lows[axis];
+    }
+    return range[0] * range[0] + range[1] * range[1];
+}
+
+template <class T>
+[[gnu::flatten]] void circle_links(const OutlineGroup *links, int group_count, const Record *now, float reach,
+                                   float *x, float *y, float *squared_radius) {
+    for (int i = 0; i < group_count; ++i)
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            const Vec2<T> a = load_nodes<T>(now, links[i].a + lane).position;
+            const Vec2<T> b = load_nodes<T>(now, links[i].b + lane).position;
+            const Vec2<T> middle = (a + b) * T(0.5);
+            const T radius = T(0.5) * sqrt(squared_length(b - a)) + T(reach);
+            const int place = i * group_size + lane;
+            store(middle.x, x + place), store(middle.y, y + place);
+            store(radius * radius, squared_radius + place);
+        }
+}
+
+template <class T>
+[[gnu::flatten]] void find_circles(const Circles &circles, const Record &node, unsigned char *inside) {
+    const Vec2<T> p{node.x, node.y};
+    for (int i = 0; i < circles.group_count; ++i) {
+        unsigned bits = 0;
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            const int place = i * group_size + lane;
+            const Vec2<T> middle{load<T>(circles.x + place), load<T>(circles.y + place)};
+            const T squared_radius = load<T>(circles.squared_radius + place);
+            bits |= bits_of<T>(squared_length(p - middle) < squared_radius) << lane;
+        }
+        inside[i] = static_cast<unsigned char>(bits);
+    }
+}
+
+template <class T>
+[[gnu::flatten]] float measure_pairs(const PairGroup *pairs, int group_count, const Record *now,
+                                     float *squared) {
+    T least(__builtin_inff());
+    for (int i = 0; i < group_count; ++i)
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            const Vec2<T> p = load_nodes<T>(now, pairs[i].cell + lane).position;
+            const Vec2<T> a = load_nodes<T>(now, pairs[i].a + lane).position;
+            const Vec2<T> b = load_nodes<T>(now, pairs[i].b + lane).position;
+            const T distance = squared_length(p - foot_on_segment(p, a, b).point);
+            store(distance, squared + i * group_size + lane);
+            least = min(least, distance);
+        }
+    return least_of(least);
+}
+
+template <class T> Kernel kernel_of(const char *name) {
+    return {name,
+            step<T>,
+            drag<T>,
+            reach_knot<T>,
+            squared_motion<T>,
+            circle_links<T>,
+            find_circles<T>,
+            measure_pairs<T>};
+}
 
 } // namespace
 

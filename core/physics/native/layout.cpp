@@ -59,7 +59,7 @@ std::vector<Fan> fans(const SoftBodyModel &model) {
 /// What one lane of a slot holds of this spoke.
 void fill(const SoftBodyModel &model, const Spoke &spoke, int neighbour, int lane, Slot &slot) {
     const Parameters &p = model.parameters;
-    slot.neighbour[lane] = neighbour;
+    slot.neighbour[lane] = place_of(neighbour);
     const auto pull = static_cast<float>(p.spring_stiffness * model.rest_lengths[spoke.link]);
     slot.pull[lane] = slot.natural_pull[lane] = slot.next_pull[lane] = pull;
     if (spoke.triangle < 0) return;
@@ -106,13 +106,13 @@ Layout lay_out(const SoftBodyModel &model) {
             while (group.slots < size) {
                 layout.slots.push_back({});
                 for (int other = 0; other < group_size; ++other)
-                    layout.slots.back().neighbour[other] = static_cast<int>(start) + other;
+                    layout.slots.back().neighbour[other] = place_of(static_cast<int>(start) + other);
                 ++group.slots;
             }
             for (int i = 0; i < size; ++i)
                 fill(model, fan[cell][i], node_of[fan[cell][i].neighbour], lane,
                      layout.slots[group.first_slot + i]);
-            group.last[lane] = size > 0 ? node_of[fan[cell].back().neighbour] : node;
+            group.last[lane] = place_of(size > 0 ? node_of[fan[cell].back().neighbour] : node);
         }
         layout.groups.push_back(group);
     }
@@ -121,8 +121,8 @@ Layout lay_out(const SoftBodyModel &model) {
     layout.outline.resize((model.outline.size() + group_size - 1) / group_size);
     for (std::size_t i = 0; i < model.outline.size(); ++i) {
         OutlineGroup &group = layout.outline[i / group_size];
-        group.a[i % group_size] = layout.model.outline[i].a;
-        group.b[i % group_size] = layout.model.outline[i].b;
+        group.a[i % group_size] = place_of(layout.model.outline[i].a);
+        group.b[i % group_size] = place_of(layout.model.outline[i].b);
     }
     return layout;
 }

@@ -19,10 +19,14 @@ struct Record {
     float x, y, vx, vy;
 };
 
+/// Where a node's record begins in an array of them, in floats.
+using Place = unsigned;
+inline Place place_of(int node) { return static_cast<Place>(4 * node); }
+
 /// One neighbour of each node of a group, the spring to it, and the triangle between the neighbour before and
 /// this one. Where a node has no such neighbour it is its own, with constants 0: its force is exactly 0.
 struct alignas(32) Slot {
-    int neighbour[group_size];
+    Place neighbour[group_size];
     float pull[group_size];                                   // k·L at the last knot
     float pull_change[group_size];                            // and its change in a step
     float twice_area[group_size], pressure_slope[group_size]; // of the triangle's pressure
@@ -31,13 +35,13 @@ struct alignas(32) Slot {
 };
 
 struct Group {
-    int last[group_size]; // each node's last neighbour, which closes the fan before its first
+    Place last[group_size]; // each node's last neighbour, which closes the fan before its first
     int first_slot, slots;
 };
 
 /// Eight links of the outline; past the last of them from node 0 to itself.
 struct OutlineGroup {
-    int a[group_size] = {}, b[group_size] = {};
+    Place a[group_size] = {}, b[group_size] = {};
 };
 
 struct Layout {

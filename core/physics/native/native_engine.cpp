@@ -15,7 +15,7 @@ Vec2f to_float(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.
 
 void NativeEngine::load(const SoftBodyModel &model, const Environment &environment) {
     body_ = native::lay_out(model);
-    contact_.load(body_.model);
+    contact_.load(body_, kernel_);
     lay_ground(environment);
 
     // At rest, muscles off.
@@ -94,7 +94,7 @@ Motion NativeEngine::step(double damping) {
 
 /// Drag and self-collision.
 void NativeEngine::push_outline() {
-    const auto touches = contact_.touches({&now_[0].x, 4});
+    const auto touches = contact_.touches(now_.data());
     const bool pushing = drag_.group_count > 0 || !touches.empty();
     if (!pushed_ && !pushing) return;
     pushed_ = pushing;
@@ -109,10 +109,8 @@ void NativeEngine::push_outline() {
             push(body_.model.outline[i].a, half), push(body_.model.outline[i].b, half);
         }
     }
-    for (const auto &[cell, a, b, force, t] : touches) {
-        push(cell, force);
-        push(a, -force * (1 - t)), push(b, -force * t);
-    }
+    for (const auto &[cell, a, b, on_cell, on_a, on_b] : touches)
+        push(cell, on_cell), push(a, on_a), push(b, on_b);
     // Twins of the last node are pushed as it is.
     for (std::size_t twin = body_.nodes; twin < now_.size(); ++twin)
         push_x_[twin] = push_x_[body_.nodes - 1], push_y_[twin] = push_y_[body_.nodes - 1];

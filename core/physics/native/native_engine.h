@@ -4,8 +4,8 @@
 #pragma once
 
 #include "physics/engine.h"
+#include "physics/native/contact.h"
 #include "physics/native/kernel.h"
-#include "physics/self_contact.h"
 
 namespace planula {
 
@@ -28,7 +28,7 @@ class NativeEngine : public Engine {
     std::vector<native::Slope> ground_;
     native::StepTask task_;
     native::DragTask drag_;
-    SelfContact<float> contact_;
+    native::Contact contact_;
     double time_step_ = 0;
 
     std::vector<native::Record> now_, next_;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The native engine's search for contacts against one over all pairs.
+#include "physics/native/contact.h"
+
+#include "base/math.h"
+#include "physics/embody.h"
+#include "support/print.h"
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace planula;
+using namespace planula::specimens;
+
+namespace {
+
+/// A body squeezed more and more while it waves, turns a little and drifts: its nodes at time t.
+std::vector<native::Record> squeezed(const SoftBodyModel &model, const native::Layout &layout, int t) {
+    std::vector<native::Record> records;
+    const double squeeze = 0.004 * (t < 200 ? t : 400 - t), turn = 0.002 * t;
+    for (const int cell : layout.cell_of) {
+        const double wave = 0.05 * math::sin(0.1 * t + cell);
+        const Vec2d p{model.positions[cell].x * (1 - 0.8 * squeeze) + wave,
+                      model.positions[cell].y * (1 - squeeze)};
+        const double c = math::cos(turn), s = math::sin(turn);
+        records.push_back(
+            {static_cast<float>(c * p.x - s * p.y + 0.04 * t), static_cast<float>(s * p.x + c * p.y), 0, 0});
+    }
+    return records;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_touches_found_are_those_of_a_search_over_all_pairs_to_the_bit) {
+    for (const native::Kernel &kernel : native::kernels()) {
+        int hits = 0, quiet = 0;
+        for (const Body &body : {hook(), two_arms(2), spiral_body(2)}) {
+            const auto model = embody(body, water(), Parameters{});
+            const native::Layout layout = native::lay_out(model);
+            native::Contact contact;
+            contact.load(layout, kernel);
+            SelfContact<float> all_pairs(1000);
+            for (int t = 0; t < 400; ++t) {
+                const std::vector<native::Record> records = squeezed(model, layout, t);
+                std::vector<Vec2f> x, found(records.size()), expected(records.size());
+                for (const auto &record : records) x.push_back({record.x, record.y});
+                const auto touches = contact.touches(records.data());
+                for (const auto &touch : touches) {
+                    found[touch.cell] += touch.on_cell;
+                    found[touch.a] += touch.on_a, found[touch.b] += touch.on_b;
+                }
+                all_pairs.load(layout.model);
+                all_pairs.add_forces(x, expected);
+                BOOST_REQUIRE((found == expected));
+                (touches.empty() ? quiet : hits) += 1;
+            }
+        }
+        BOOST_TEST(hits > 40, kernel.name << ": " << hits);
+        BOOST_TEST(quiet > 100, kernel.name << ": " << quiet);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_body_loaded_anew_starts_without_a_list) {
+    // The same engine lives with another body, and then with the first.
+    const auto model = embody(hook(), water(), Parameters{});
+    const auto other = embody(two_arms(2), water(), Parameters{});
+    const native::Layout layout = native::lay_out(model), other_layout = native::lay_out(other);
+    const auto records = squeezed(model, layout, 200);
+    native::Contact contact;
+    contact.load(layout, native::chosen_kernel());
+    const auto first = contact.touches(records.data());
+    const std::vector<Touch<float>> expected(first.begin(), first.end());
+    BOOST_TEST(!expected.empty());
+    contact.load(other_layout, native::chosen_kernel());
+    contact.touches(squeezed(other, other_layout, 0).data());
+    contact.load(layout, native::chosen_kernel());
+    const auto again = contact.touches(records.data());
+    BOOST_TEST(std::equal(again.begin(), again.end(), expected.begin(), expected.end(),
+                          [](const auto &p, const auto &q) {
+                              return p.cell == q.cell && p.a == q.a && p.b == q.b && p.on_cell == q.on_cell;
+                          }));
+}
