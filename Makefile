@@ -131,6 +131,14 @@ benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and
 	@build/tests/multineat 1 50 | tee build/multineat.csv
 	@mv build/multineat.csv tests/benchmarks/multineat.csv
 
+bench: ## how long a step, an embryo, a network update and a life take here, and native against Bullet
+	@bash tests/support/packages.sh $(BUILD_PACKAGES) libbenchmark-dev
+	@mkdir -p build
+	@cmake -S . -B build > build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@cmake --build build --parallel $(JOBS) --target bench > build/bench.log 2>&1 || { cat build/bench.log; exit 1; }
+	@build/tests/bench --benchmark_out=build/bench.csv --benchmark_out_format=csv 2> build/bench.log
+	@echo 'bench: build/bench.csv'
+
 lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
 	@failed=0; for check in layering sources format lint_test; do \
 	  bash tests/lint/$$check.sh || failed=$$((failed + 1)); done; \
@@ -153,7 +161,7 @@ deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity build program signature \
-        verify-signature torture benchmarks lint format clean deps deps-paper always
+        verify-signature torture benchmarks bench lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:
