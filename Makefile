@@ -178,7 +178,7 @@ $(OUT)/design: always
 	@mkdir -p $(OUT)
 	@echo '$(EXPERIMENT) $(DESIGN)' | cmp -s - $@ || echo '$(EXPERIMENT) $(DESIGN)' > $@
 
-TABLES = manifest settings runs curves endpoints endpoint_paths archives fitness_shares entropy outcomes claims best_genomes columns parameters
+TABLES = manifest settings runs curves endpoints endpoint_paths archives shape_diversity fitness_shares entropy outcomes claims best_genomes columns parameters
 WITNESS = witness engines
 $(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manifest.csv)
 	@echo 'data: reducing …'

@@ -88,6 +88,7 @@ void read_generations(const RecordedRun &run, int generations, std::vector<int> 
             reader.refuse("best_slot = " + to_text(row.best_slot) + " in a population of " +
                           to_text(run.population));
         history.best.push_back(row.best_fitness);
+        history.shape_diversity.push_back(row.shape_diversity);
         best_slots.push_back(row.best_slot);
         if (number == 0) history.first = row;
         history.last = row;

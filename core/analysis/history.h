@@ -28,9 +28,10 @@ struct RunFacts {
 
 struct RunHistory {
     std::int64_t seed = 0;
-    ChampionRow crowned;           // the champion of the whole run, whose genome best_genome.csv holds
-    std::vector<double> best;      // fitness of each generation's best
-    std::vector<Vec2d> best_moved; // and its displacement from rest to end
+    ChampionRow crowned;                 // the champion of the whole run, whose genome best_genome.csv holds
+    std::vector<double> best;            // fitness of each generation's best
+    std::vector<Vec2d> best_moved;       // and its displacement from rest to end
+    std::vector<double> shape_diversity; // of each generation
     GenerationRow first, last;
     std::map<int, RunFacts> after;      // by number of generations
     std::vector<double> fitness_shares; // of the last generation, by classes of fitness over the champion's

@@ -24,6 +24,27 @@ template <class Make> auto from_runs(const SettingRuns &setting, Make &&make) {
     return values;
 }
 
+/// The mean over runs of one value of each generation, with its bootstrap interval.
+template <class Row>
+std::vector<Row> mean_over_runs(const SettingRuns &setting, const Analysis &analysis, const std::string &what,
+                                std::vector<double> RunHistory::*values) {
+    // One stream for all generations: each resample draws whole runs, so that the band is as smooth as they
+    // are.
+    const Resampling resampling{analysis.confidence, analysis.resamples,
+                                bootstrap_seed(what + " " + setting.spec->name), 0};
+    std::vector<Row> rows;
+    for (int generation = 0; generation < setting.generations; ++generation) {
+        const std::vector<double> of_runs =
+            from_runs(setting, [&](const RunHistory &history, const RunFacts &) {
+                return (history.*values)[static_cast<std::size_t>(generation)];
+            });
+        const Interval interval = bootstrap_mean(of_runs, resampling);
+        rows.push_back(
+            {setting.spec->name, generation, count_of(setting), mean(of_runs), interval.low, interval.high});
+    }
+    return rows;
+}
+
 OutcomeRow outcome_row(const SettingRuns &setting, GenerationRow RunHistory::*when) {
     OutcomeRow row{.setting = setting.spec->name};
     const double individuals =
@@ -74,25 +95,20 @@ std::vector<RunRow> run_rows(const SettingRuns &setting) {
                 .viable = facts.viable,
                 .valid_share_last = facts.valid_share,
                 .fitness_spread_last = facts.fitness_spread,
+                .shape_diversity_first = history.shape_diversity.front(),
+                .shape_diversity_last = history.shape_diversity.back(),
                 .direction_resultant = facts.direction_resultant,
                 .side_switches = facts.side_switches};
     });
 }
 
 std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &analysis) {
-    // One stream for all generations: each resample draws whole runs, so that the band is as smooth as they
-    // are.
-    const Resampling resampling{analysis.confidence, analysis.resamples,
-                                bootstrap_seed("curve " + setting.spec->name), 0};
-    std::vector<CurveRow> rows;
-    for (int generation = 0; generation < setting.generations; ++generation) {
-        const std::vector<double> best = from_runs(
-            setting, [&](const RunHistory &history, const RunFacts &) { return history.best[generation]; });
-        const Interval interval = bootstrap_mean(best, resampling);
-        rows.push_back(
-            {setting.spec->name, generation, count_of(setting), mean(best), interval.low, interval.high});
-    }
-    return rows;
+    return mean_over_runs<CurveRow>(setting, analysis, "curve", &RunHistory::best);
+}
+
+std::vector<ShapeDiversityRow> shape_diversity_rows(const SettingRuns &setting, const Analysis &analysis) {
+    return mean_over_runs<ShapeDiversityRow>(setting, analysis, "shape diversity",
+                                             &RunHistory::shape_diversity);
 }
 
 EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis) {

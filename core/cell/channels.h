@@ -3,6 +3,9 @@
 // (§2.2, 2.3, 2.6; MODEL section 2). The two actuations share the inputs and the first four outputs.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 namespace planula {
 
 enum class Actuation { oscillator, grn };
@@ -14,6 +17,9 @@ inline const char *name_of(Actuation actuation) {
 namespace input {
 enum Channel { x, y, maternal_east, maternal_west, maternal_north, maternal_south, morphogen, time, bias };
 inline constexpr int count = bias + 1;
+inline constexpr std::array<const char *, count> names{
+    "x",         "y",    "maternal east", "maternal west", "maternal north", "maternal south",
+    "morphogen", "time", "bias"};
 } // namespace input
 
 namespace output {
@@ -27,6 +33,13 @@ enum Channel {
     spring = 4, // grn only: the actuation signal s
 };
 inline constexpr int count(Actuation actuation) { return actuation == Actuation::oscillator ? 6 : 5; }
+/// What people call a channel, below count(actuation).
+inline const char *name_of(Actuation actuation, int channel) {
+    constexpr std::array oscillator{"division inhibitor", "division angle", "apoptosis",
+                                    "morphogen",          "period",         "phase"};
+    if (actuation == Actuation::grn && channel == spring) return "spring";
+    return oscillator.at(static_cast<std::size_t>(channel));
+}
 } // namespace output
 
 /// Feed-forward networks are stateless and acyclic; those of the GRN may be recurrent and keep their state.

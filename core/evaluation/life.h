@@ -4,6 +4,7 @@
 
 #include "base/vec2.h"
 #include "body/outcome.h"
+#include "body/shape.h"
 
 #include <vector>
 
@@ -18,11 +19,12 @@ struct Life {
     int triangles = 0; // of the body
     double elongation =
         0; // length over width of the developed body by its principal axes, >= 1; 0 if no width
-    int settle_steps = 0;    // steps until the body came to rest; 0 in water
-    Vec2d rest;              // centre of mass when the body had come to rest (Eq. 4: x_s, y_s)
-    Vec2d end;               // centre of mass at the end of locomotion (Eq. 4: x_f, y_f)
-    double activity = 0;     // b_a of Eq. 5; 0 with oscillators
-    std::vector<Vec2d> path; // centre of mass every Parameters::path_interval steps, from rest to end
+    ShapeDistribution shape{}; // of the developed body; all 0 if growth did not end viable
+    int settle_steps = 0;      // steps until the body came to rest; 0 in water
+    Vec2d rest;                // centre of mass when the body had come to rest (Eq. 4: x_s, y_s)
+    Vec2d end;                 // centre of mass at the end of locomotion (Eq. 4: x_f, y_f)
+    double activity = 0;       // b_a of Eq. 5; 0 with oscillators
+    std::vector<Vec2d> path;   // centre of mass every Parameters::path_interval steps, from rest to end
 
     /// |end - rest|, the bare distance; 0 unless viable.
     double displacement() const { return length(end - rest); }

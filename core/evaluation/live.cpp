@@ -26,6 +26,7 @@ Life life_of(const Growth &growth) {
     life.links = static_cast<int>(growth.body.mesh.links.size());
     life.triangles = static_cast<int>(growth.body.mesh.triangles.size());
     life.elongation = elongation(growth.body.positions);
+    if (growth.outcome == Outcome::viable) life.shape = shape_distribution(growth.body.positions);
     return life;
 }
 

@@ -36,6 +36,7 @@ COLUMN(int, overgrown, "individuals", "individuals that reached the cell limit")
 COLUMN(int, never_settled, "individuals", "individuals that did not come to rest on the ground")
 COLUMN(int, exploded, "individuals", "individuals with a speed beyond the guard or a number that is not finite")
 COLUMN(int, overborn, "individuals", "individuals that reached the birth limit, whatever became of them")
+COLUMN(double, shape_diversity, "1", "mean morphological distance over all pairs of viable individuals, in mean distances between two cells: D2 shape distributions of Osada et al. 2002, core/body/shape.h; 0 with fewer than two")
 END_TABLE
 
 TABLE(IndividualRow, "individuals.csv.gz")
@@ -60,6 +61,19 @@ COLUMN(double, activity, "1", "actuation bonus b_a of Eq. 5; 0 with oscillators"
 COLUMN(double, elongation, "1", "length over width of the developed body by its principal axes; 0 without width")
 COLUMN(int, links, "links", "links of the genome")
 COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
+END_TABLE
+
+TABLE(SpeciesRow, "species.csv.gz")
+COLUMN(int, generation, "generation", "generation of the population")
+COLUMN(int, species, "id", "the species, numbered in order of foundation in the run; rows are in the order of slots")
+COLUMN(int, size, "individuals", "its members in this generation")
+COLUMN(int, age, "generations", "generations it had lived before this one, from its foundation or from its loss of the mark")
+COLUMN(int, stagnation, "generations", "how many of them passed since its best score rose")
+COLUMN(int, mark, "0 or 1", "1 if it held the mark of the best species before this generation, which never counts as stagnating")
+COLUMN(double, best_score, "cell", "highest score of its members: fitness or novelty, as the search rewards")
+COLUMN(double, mean_score, "cell", "mean score of its members")
+COLUMN(double, best_ever, "cell", "highest score of its members in all generations before this one; 0 for a new species")
+COLUMN(std::int64_t, representative, "id", "genome that newborns are compared with: its first member")
 END_TABLE
 
 TABLE(ArchiveRow, "archive.csv")
@@ -111,6 +125,32 @@ COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: we
 COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
 END_TABLE
 
+TABLE(ChampionGenomeRow, "champion_genomes.csv.gz")
+COLUMN(int, generation, "generation", "generation of the champion: each row of champions.csv has its genome here")
+COLUMN(std::string, kind, "", "first row of a genome: the operator that made it; then nodes: input, bias, output, hidden; then links: link")
+COLUMN(std::int64_t, id, "id", "number of the genome, id of the node, innovation of the link")
+COLUMN(MaybeId, from, "id", "first row: mother, -1 for none; link: the node it leaves")
+COLUMN(MaybeId, to, "id", "first row: father, -1 for none; link: the node it enters")
+COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: weight")
+COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
+END_TABLE
+
+// ---- What planula lineage prints ----
+
+TABLE(LineageRow, "lineage.csv")
+COLUMN(int, generation, "generation", "generation of the ancestor, the oldest first")
+COLUMN(int, slot, "slot", "its place in the population")
+COLUMN(std::int64_t, genome, "id", "its genome, numbered in order of birth in the run")
+COLUMN(std::string, origin, "", "the operator that made the genome")
+COLUMN(std::int64_t, mother, "id", "the genome it was made from; -1: none")
+COLUMN(std::int64_t, father, "id", "the second parent; -1: none")
+COLUMN(int, species, "id", "its species")
+COLUMN(double, fitness, "cell", "fitness, Eq. 4")
+COLUMN(int, cells, "cells", "cells at the end of development")
+COLUMN(int, links, "links", "links of the genome")
+COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
+END_TABLE
+
 // ---- Reduced tables ----
 
 TABLE(SettingRow, "settings.csv")
@@ -138,6 +178,8 @@ COLUMN(double, size_entropy, "nat", "Shannon entropy of the cell counts of all i
 COLUMN(std::int64_t, viable, "individuals", "individuals with fitness above 0, those that the entropy counts")
 COLUMN(double, valid_share_last, "1", "share of the last generation whose penalty factor is above 0")
 COLUMN(double, fitness_spread_last, "1", "interquartile range of fitness over the run's best fitness, valid individuals of the last generation")
+COLUMN(double, shape_diversity_first, "1", "mean morphological distance of the viable individuals of generation 0, see generations.csv")
+COLUMN(double, shape_diversity_last, "1", "the same of the last generation")
 COLUMN(double, direction_resultant, "1", "mean resultant length of the end directions of all individuals that moved; 1: all went one way")
 COLUMN(int, side_switches, "switches", "how often the best of a generation ended on the other side than the best before it")
 END_TABLE
@@ -193,6 +235,15 @@ COLUMN(double, mean, "nat", "size entropy of a run, Eq. 8, mean over runs")
 COLUMN(double, low, "nat", "lower end of the bootstrap interval of the mean")
 COLUMN(double, high, "nat", "upper end of the bootstrap interval of the mean")
 COLUMN(double, median, "nat", "size entropy of a run, median over runs")
+END_TABLE
+
+TABLE(ShapeDiversityRow, "shape_diversity.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(int, runs, "runs", "runs averaged")
+COLUMN(double, mean, "1", "mean morphological distance of the generation's viable individuals, see generations.csv; mean over runs")
+COLUMN(double, low, "1", "lower end of the bootstrap interval of the mean")
+COLUMN(double, high, "1", "upper end of the bootstrap interval of the mean")
 END_TABLE
 
 TABLE(OutcomeRow, "outcomes.csv")

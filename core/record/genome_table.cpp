@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "record/csv.h"
 
 #include <array>
 #include <limits>
@@ -86,31 +87,6 @@ Genome genome_of(std::span<const GenomeRow> rows) {
     }
     check_genome(genome);
     return genome;
-}
-
-std::vector<PopulationRow> population_rows(std::span<const Genome> genomes) {
-    std::vector<PopulationRow> rows;
-    for (std::size_t slot = 0; slot < genomes.size(); ++slot)
-        for (const GenomeRow &row : genome_rows(genomes[slot]))
-            rows.push_back(
-                {static_cast<int>(slot), row.kind, row.id, row.from, row.to, row.value, row.recurrent});
-    return rows;
-}
-
-std::vector<Genome> population_of(std::span<const PopulationRow> rows) {
-    std::vector<Genome> genomes;
-    for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
-        const int slot = rows[first].slot, expected = static_cast<int>(genomes.size());
-        if (slot != expected)
-            throw InputError("slot " + to_text(slot) + " follows, where slot " + to_text(expected) + " must");
-        std::vector<GenomeRow> of_slot;
-        for (; last < rows.size() && rows[last].slot == slot; ++last) {
-            const PopulationRow &row = rows[last];
-            of_slot.push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
-        }
-        genomes.push_back(genome_of(of_slot));
-    }
-    return genomes;
 }
 
 } // namespace planula

@@ -4,9 +4,11 @@
 // it.
 #pragma once
 
+#include "base/error.h"
 #include "genome/genome.h"
-#include "record/columns.h"
+#include "record/csv.h"
 
+#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -17,8 +19,44 @@ std::vector<GenomeRow> genome_rows(const Genome &genome);
 /// Throws InputError naming the broken rule; the caller knows the file.
 Genome genome_of(std::span<const GenomeRow> rows);
 
-/// The genomes of a population, in slot order, and back; errors as above.
-std::vector<PopulationRow> population_rows(std::span<const Genome> genomes);
-std::vector<Genome> population_of(std::span<const PopulationRow> rows);
+/// A genome among several, under the number of its generation (champion_genomes.csv.gz) or slot (population.csv.gz).
+struct NumberedGenome {
+    int number;
+    Genome genome;
+};
+
+/// Its rows: ChampionGenomeRow or PopulationRow, the number first.
+template <class Row> std::vector<Row> numbered_rows(int number, const Genome &genome) {
+    std::vector<Row> rows;
+    for (const GenomeRow &row : genome_rows(genome))
+        rows.push_back({number, row.kind, row.id, row.from, row.to, row.value, row.recurrent});
+    return rows;
+}
+
+/// All genomes of such a table, by ascending number. Throws InputError that names file and line.
+template <class Row> std::vector<NumberedGenome> read_numbered(const std::filesystem::path &folder) {
+    std::vector<NumberedGenome> genomes;
+    std::vector<GenomeRow> genes;
+    int present = -1;
+    TableReader<Row> reader(folder);
+    const auto close = [&] {
+        if (genes.empty()) return;
+        try {
+            genomes.push_back({present, genome_of(genes)});
+        } catch (const InputError &error) {
+            reader.refuse(error.what());
+        }
+        genes.clear();
+    };
+    for (Row row; reader.next(row);) {
+        const auto &[number, kind, id, from, to, value, recurrent] = row;
+        if (number < present) reader.refuse("this genome comes before the last one");
+        if (number != present) close();
+        present = number;
+        genes.push_back({kind, id, from, to, value, recurrent});
+    }
+    close();
+    return genomes;
+}
 
 } // namespace planula

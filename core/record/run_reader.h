@@ -25,6 +25,20 @@ struct RecordedRun {
 /// a manifest that is damaged or belongs to another place.
 std::vector<RecordedRun> find_runs(const std::filesystem::path &runs, const std::string &setting);
 
+/// The complete run in this folder. Throws InputError if there is none.
+RecordedRun read_run(const std::filesystem::path &folder);
+
+/// How far a run is.
+struct RunStatus {
+    std::filesystem::path folder;
+    bool is_complete = false;
+    int done = 0, generations = 0; // of an unfinished run as its checkpoint says; 0 without one
+};
+
+/// All runs below a folder, <folder>/<setting>/seed-NNN, by name. Throws InputError if there is no such folder,
+/// or for a manifest or checkpoint that makes no sense.
+std::vector<RunStatus> statuses(const std::filesystem::path &runs);
+
 /// Throws InputError naming the first file whose content is not what the manifest says.
 void verify(const RecordedRun &run);
 

@@ -18,8 +18,9 @@ namespace planula {
 namespace {
 
 constexpr const char *script_file = "experiment.lua", *resolved_file = "resolved.lua";
-constexpr std::array run_tables{GenerationRow::file_name, IndividualRow::file_name, ChampionRow::file_name,
-                                ArchiveRow::file_name,    GenomeRow::file_name,     PopulationRow::file_name};
+constexpr std::array run_tables{GenerationRow::file_name, IndividualRow::file_name,     SpeciesRow::file_name,
+                                ChampionRow::file_name,   ChampionGenomeRow::file_name, ArchiveRow::file_name,
+                                GenomeRow::file_name,     PopulationRow::file_name};
 
 std::string identity_of(const Spec &spec, std::uint64_t seed, const RunIdentity &identity) {
     return Hash().text(version()).text(spec.name).text(identity.resolved_text).number(seed).hex();
@@ -102,6 +103,23 @@ IndividualRow individual_row(const Generation &g, int slot, int species) {
             .hidden = genome.hidden()};
 }
 
+SpeciesRow species_row(const Generation &g, const Species &species) {
+    SpeciesRow row{.generation = g.number,
+                   .species = species.id,
+                   .size = static_cast<int>(species.members.size()),
+                   .age = species.age,
+                   .stagnation = species.stagnation,
+                   .mark = species.best ? 1 : 0,
+                   .best_ever = species.best_ever,
+                   .representative = species.representative.id};
+    for (const int slot : species.members) {
+        row.best_score = std::max(row.best_score, g.scores[slot]);
+        row.mean_score += g.scores[slot];
+    }
+    row.mean_score /= static_cast<double>(row.size);
+    return row;
+}
+
 /// Adds one life to the counts of its generation.
 void count(const Life &life, int birth_limit, GenerationRow &row) {
     switch (life.outcome) {
@@ -148,7 +166,12 @@ GenerationRow generation_row(const Generation &g, int birth_limit) {
     }
     for (double *mean : {&row.mean_fitness, &row.mean_links, &row.mean_hidden})
         *mean /= static_cast<double>(g.lives.size());
-    for (const Life &life : g.lives) count(life, birth_limit, row);
+    std::vector<ShapeDistribution> shapes;
+    for (const Life &life : g.lives) {
+        count(life, birth_limit, row);
+        if (life.outcome == Outcome::viable) shapes.push_back(life.shape);
+    }
+    row.shape_diversity = shape_diversity(shapes);
     return row;
 }
 
@@ -184,18 +207,23 @@ struct RunWriter::Tables {
     template <class MarkOf>
     Tables(const std::filesystem::path &folder, MarkOf &&mark)
         : generations(folder, mark(GenerationRow::file_name)),
-          individuals(folder, mark(IndividualRow::file_name)),
-          champions(folder, mark(ChampionRow::file_name)) {}
+          individuals(folder, mark(IndividualRow::file_name)), species(folder, mark(SpeciesRow::file_name)),
+          champions(folder, mark(ChampionRow::file_name)),
+          champion_genomes(folder, mark(ChampionGenomeRow::file_name)) {}
 
     template <class Visit> void each(Visit &&visit) {
         visit(GenerationRow::file_name, generations);
         visit(IndividualRow::file_name, individuals);
+        visit(SpeciesRow::file_name, species);
         visit(ChampionRow::file_name, champions);
+        visit(ChampionGenomeRow::file_name, champion_genomes);
     }
 
     TableJournal<GenerationRow> generations;
     TableJournal<IndividualRow> individuals;
+    TableJournal<SpeciesRow> species;
     TableJournal<ChampionRow> champions;
+    TableJournal<ChampionGenomeRow> champion_genomes;
 };
 
 RunWriter::RunWriter(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
@@ -252,6 +280,8 @@ void RunWriter::observe(const Generation &generation) {
           generation.scores.size() == size);
     tables_->generations.write(generation_row(generation, parameters_.birth_limit));
     write_individuals(generation);
+    for (const Species &species : generation.population.species)
+        tables_->species.write(species_row(generation, species));
     crown(generation);
     ++observed_;
     if (observed_ < parameters_.generations) return;
@@ -305,6 +335,8 @@ void RunWriter::crown(const Generation &generation) {
     best_fitness_ = fitness;
     best_genome_ = generation.population.genomes[generation.best];
     tables_->champions.write(champion_row(generation, parameters_));
+    for (const auto &row : numbered_rows<ChampionGenomeRow>(generation.number, best_genome_))
+        tables_->champion_genomes.write(row);
 }
 
 void RunWriter::finish() {
@@ -313,8 +345,11 @@ void RunWriter::finish() {
         [&](std::string_view table, auto &journal) { files_.emplace_back(table, journal.publish()); });
     if (archive_) files_.emplace_back(ArchiveRow::file_name, archive_->commit());
     files_.emplace_back(GenomeRow::file_name, write_table<GenomeRow>(folder_, genome_rows(best_genome_)));
-    files_.emplace_back(PopulationRow::file_name,
-                        write_table<PopulationRow>(folder_, population_rows(last_genomes_)));
+    std::vector<PopulationRow> population;
+    for (std::size_t slot = 0; slot < last_genomes_.size(); ++slot)
+        for (auto &row : numbered_rows<PopulationRow>(static_cast<int>(slot), last_genomes_[slot]))
+            population.push_back(std::move(row));
+    files_.emplace_back(PopulationRow::file_name, write_table<PopulationRow>(folder_, population));
 
     // Only what is complete needs no journals any more.
     write_manifest();

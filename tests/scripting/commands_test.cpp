@@ -304,6 +304,36 @@ BOOST_AUTO_TEST_CASE(a_second_process_on_one_run_ends_at_once_with_73) {
     BOOST_TEST(third.code == 0, third.err);
 }
 
+BOOST_AUTO_TEST_CASE(the_history_of_a_run_can_be_read_and_drawn) {
+    const Workplace place(small);
+    BOOST_REQUIRE(planula_says({"run", place.script(), "--seeds", "1:2", "--out", place.runs()}).code == 0);
+    fs::create_directories(fs::path(place.runs()) / "small/seed-003");
+    const Said status = planula_says({"status", place.runs()});
+    BOOST_TEST(status.code == 0);
+    BOOST_TEST(test::contains(status.out, "seed-001: complete, 2 generations\n"), status.out);
+    BOOST_TEST(test::contains(status.out, "seed-003: nothing is kept\n"), status.out);
+    BOOST_TEST(test::contains(status.out, "\n2 of 3 runs are complete\n"), status.out);
+
+    const std::string run = fs::path(place.runs()) / "small/seed-001";
+    const Said lineage = planula_says({"lineage", run, "--copies"});
+    BOOST_TEST(lineage.code == 0, lineage.err);
+    BOOST_TEST(lineage.out.starts_with("generation,slot,genome,origin,mother,father,"), lineage.out);
+    BOOST_TEST(planula_says({"lineage", run, "--genome", "99"}).code == 65);
+    BOOST_TEST(planula_says({"lineage", run, "--genome", "bset"}).code == 2);
+    BOOST_TEST(planula_says({"lineage", place.runs()}).code == 65);
+
+    const Said genome = planula_says({"genome", run});
+    BOOST_TEST(genome.code == 0, genome.err);
+    BOOST_TEST(test::contains(genome.out, "\ndivision inhibitor\n"), genome.out);
+    BOOST_TEST(
+        test::contains(planula_says({"genome", run, "--genome", "99"}).err, "was never the run's best"));
+    const std::string svg = place.path / "net.svg", dot = place.path / "net.dot";
+    BOOST_TEST(planula_says({"genome", run, "--svg", svg, "--dot", dot}).code == 0);
+    BOOST_TEST(content(svg).starts_with("<svg "));
+    BOOST_TEST(content(dot).starts_with("digraph "));
+    BOOST_TEST(planula_says({"genome", run, "--svg", "/nowhere/net.svg"}).code == 73);
+}
+
 BOOST_AUTO_TEST_CASE(an_output_that_cannot_be_written_is_an_error) {
     std::ofstream full("/dev/full");
     std::ostringstream err;

@@ -156,3 +156,23 @@ BOOST_AUTO_TEST_CASE(an_endless_hook_makes_the_individual_invalid) {
     BOOST_TEST(test::contains(hooks.first_problem(), "works too long"));
     BOOST_TEST(hooks.judge(life_at(2)).fitness == 1);
 }
+
+BOOST_AUTO_TEST_CASE(a_judge_that_goes_on_remembers_what_it_had_counted_and_seen) {
+    const auto source =
+        with("behaviour = function(life) if life.finish.x > 5 then return { 1, 2, 3 } end return { 1 } end");
+    Hooks first(source, 0, {}), second(source, 0, {});
+    // The 5th and 6th judgements are no samples that are judged twice.
+    for (int i = 0; i < 4; ++i) first.judge(life_at(1));
+    first.judge(life_at(8));
+    BOOST_REQUIRE(first.invalid() == 1);
+    second.continue_run(first.memory());
+    BOOST_TEST(second.invalid() == 1);
+    BOOST_TEST(second.first_problem() == first.first_problem());
+    BOOST_TEST(second.memory() == first.memory());
+    // The first behaviour of the run had one number, so that three are too many here, too.
+    BOOST_TEST(!second.judge(life_at(8)).valid());
+    second.begin_run();
+    BOOST_TEST(second.judge(life_at(8)).valid());
+    for (const std::string memory : {std::string(), std::string("nonsense"), first.memory() + "x"})
+        BOOST_TEST(!test::refusal([&] { second.continue_run(memory); }).empty());
+}

@@ -50,6 +50,7 @@ inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &val
         RunHistory history;
         history.seed = run.seed;
         history.best.assign(static_cast<std::size_t>(run.generations), values[i]);
+        history.shape_diversity = history.best;
         for (int after = 1; after <= run.generations; ++after) {
             RunFacts &facts = history.after[after];
             facts.champion.fitness = facts.size_entropy = facts.fitness_spread = values[i];

@@ -92,6 +92,20 @@ BOOST_AUTO_TEST_CASE(curves_have_the_mean_inside_its_interval) {
     BOOST_TEST(rows[0].low == rows[2].low);
 }
 
+BOOST_AUTO_TEST_CASE(shape_diversity_has_a_curve_and_both_its_ends_in_every_run) {
+    const Spec spec = fake_spec("ns", 3, 5);
+    SettingRuns setting = fake_setting(spec, {1, 2, 6});
+    setting.histories[0].shape_diversity = {0.25, 0.5, 0.75};
+    const auto rows = shape_diversity_rows(setting, fake_analysis());
+    BOOST_REQUIRE(rows.size() == 3u);
+    BOOST_TEST(rows[1].generation == 1);
+    BOOST_TEST(rows[1].mean == (0.5 + 2 + 6) / 3);
+    BOOST_TEST(rows[1].low < rows[1].mean);
+    const auto runs = run_rows(setting);
+    BOOST_TEST(runs[0].shape_diversity_first == 0.25);
+    BOOST_TEST(runs[0].shape_diversity_last == 0.75);
+}
+
 BOOST_AUTO_TEST_CASE(entropy_has_mean_and_median_of_the_runs) {
     const Spec spec = fake_spec("ns", 3, 5);
     const EntropyRow row = entropy_row(fake_setting(spec, {1, 2, 6}), fake_analysis());

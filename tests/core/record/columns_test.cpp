@@ -21,7 +21,8 @@ BOOST_AUTO_TEST_CASE(headers_are_what_other_programs_expect) {
     BOOST_TEST(
         header_line<GenerationRow>() ==
         "generation,best_fitness,best_slot,mean_fitness,valid,species,threshold,mean_links,mean_hidden,"
-        "archive,archive_threshold,viable,died_out,too_small,overgrown,never_settled,exploded,overborn\n");
+        "archive,archive_threshold,viable,died_out,too_small,overgrown,never_settled,exploded,overborn,shape_"
+        "diversity\n");
     BOOST_TEST(
         header_line<IndividualRow>() ==
         "generation,slot,genome,mother,father,origin,species,fitness,score,penalty,outcome,cells,births,"

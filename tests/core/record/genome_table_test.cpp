@@ -106,25 +106,25 @@ BOOST_AUTO_TEST_CASE(a_damaged_table_is_a_sound_genome_or_an_error_and_nothing_e
     BOOST_TEST(refused > 1000);
 }
 
-BOOST_AUTO_TEST_CASE(a_population_comes_back_from_its_rows_in_slot_order) {
-    Genome other = specimen();
-    other.id = 4, other.links.pop_back();
-    const std::vector<Genome> genomes{specimen(), other, specimen()};
-    BOOST_TEST((population_of(population_rows(genomes)) == genomes));
-    BOOST_TEST(population_of({}).empty());
-}
-
-BOOST_AUTO_TEST_CASE(a_population_with_a_slot_missing_doubled_or_out_of_order_is_refused) {
-    const std::vector<PopulationRow> rows = population_rows(std::vector{specimen(), specimen(), specimen()});
-    const std::size_t third = rows.size() / 3;
-    std::vector<PopulationRow> missing = rows;
-    missing.erase(missing.begin() + third, missing.begin() + 2 * third);
-    BOOST_TEST(message_of<InputError>([&] { population_of(missing); }) ==
-               "slot 2 follows, where slot 1 must");
-    std::vector<PopulationRow> doubled = rows;
-    doubled[third].slot = 0;
-    BOOST_CHECK_THROW(population_of(doubled), InputError);
-    std::vector<PopulationRow> late = rows;
-    for (PopulationRow &row : late) ++row.slot;
-    BOOST_CHECK_THROW(population_of(late), InputError);
+BOOST_AUTO_TEST_CASE(genomes_of_champions_read_back_and_those_out_of_order_are_refused) {
+    const TemporaryFolder folder;
+    const auto write = [&](std::vector<int> generations) {
+        std::vector<ChampionGenomeRow> rows;
+        for (const int generation : generations)
+            for (const auto &row : numbered_rows<ChampionGenomeRow>(generation, specimen()))
+                rows.push_back(row);
+        write_table<ChampionGenomeRow>(folder.path(), rows);
+    };
+    write({0, 4, 5});
+    const auto champions = read_numbered<ChampionGenomeRow>(folder.path());
+    BOOST_REQUIRE(champions.size() == 3u);
+    BOOST_TEST(champions[1].number == 4);
+    BOOST_TEST((champions[2].genome == specimen()));
+    write({4, 3});
+    BOOST_TEST(contains(message_of<InputError>([&] { read_numbered<ChampionGenomeRow>(folder.path()); }),
+                        "this genome comes before the last one"));
+    // A generation with two genomes: the second one's head is no gene of the first.
+    write({4, 4});
+    BOOST_TEST(contains(message_of<InputError>([&] { read_numbered<ChampionGenomeRow>(folder.path()); }),
+                        "champion_genomes.csv.gz:"));
 }

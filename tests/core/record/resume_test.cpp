@@ -125,7 +125,8 @@ BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_costs_generations_and_no_result) {
 BOOST_AUTO_TEST_CASE(a_table_that_was_edited_or_cut_is_refused_by_name) {
     const TemporaryFolder folder;
     leave_two_checkpoints(folder / "left");
-    for (const char *table : {"generations.csv.part", "individuals.csv.gz.part", "champions.csv.part"})
+    for (const char *table : {"generations.csv.part", "individuals.csv.gz.part", "species.csv.gz.part",
+                              "champions.csv.part", "champion_genomes.csv.gz.part"})
         for (const bool cut : {false, true}) {
             std::string bytes = read_bytes(folder / "left" / std::filesystem::path(table));
             const std::string good = bytes;

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
+#include "record/checkpoint.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -87,4 +88,33 @@ BOOST_AUTO_TEST_CASE(a_damaged_best_genome_is_refused_with_its_file) {
     BOOST_TEST(message_of<InputError>([&] {
                    read_best_genome(run);
                }).starts_with((place / "best_genome.csv").string() + ": genome "));
+}
+
+BOOST_AUTO_TEST_CASE(the_status_of_every_run_is_told) {
+    const TemporaryFolder folder;
+    write_fake_run(folder.path(), fake_spec("osc", 2, 3), 2, life);
+    make_folder(folder / "osc/seed-001");
+    make_folder(folder / "grn/seed-001");
+    make_folder(folder / "grn/pictures");
+    write_checkpoint(folder / "grn/seed-001", {.identity = "run", .generation = 3, .generations = 8});
+    const auto runs = statuses(folder.path());
+    BOOST_REQUIRE(runs.size() == 3u);
+    BOOST_TEST(runs[0].folder == folder / "grn/seed-001");
+    BOOST_TEST(!runs[0].is_complete);
+    BOOST_TEST(runs[0].done == 3);
+    BOOST_TEST(runs[0].generations == 8);
+    BOOST_TEST(runs[1].generations == 0);
+    BOOST_TEST(runs[2].is_complete);
+    BOOST_TEST(runs[2].generations == 2);
+    BOOST_CHECK_THROW(statuses(folder / "nowhere"), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_single_run_is_read_only_when_it_is_complete) {
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("osc", 2, 3), 2, life);
+    BOOST_TEST(read_run(place).setting == "osc");
+    BOOST_TEST(read_run(place).seed == 2);
+    std::filesystem::remove(place / "manifest.csv");
+    BOOST_TEST(
+        contains(message_of<InputError>([&] { read_run(place); }), "is not the folder of a complete run"));
 }

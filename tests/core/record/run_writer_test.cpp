@@ -181,6 +181,88 @@ BOOST_AUTO_TEST_CASE(the_best_genome_is_the_last_champions) {
     BOOST_TEST((genome_of(read_table<GenomeRow>(place)) == expected));
 }
 
+BOOST_AUTO_TEST_CASE(every_champion_has_its_genome_in_the_record) {
+    const TemporaryFolder folder;
+    const Spec spec = fake_spec("osc", 3, 4);
+    const auto place = write_fake_run(folder.path(), spec, seed, life);
+    const auto champions = read_numbered<ChampionGenomeRow>(place);
+    BOOST_REQUIRE(champions.size() == 2u);
+    BOOST_TEST(champions[0].number == 0);
+    BOOST_TEST(champions[0].genome.id == 0);
+    BOOST_TEST(champions[1].number == 2);
+    BOOST_TEST((champions[1].genome == genome_of(read_table<GenomeRow>(place))));
+}
+
+BOOST_AUTO_TEST_CASE(the_last_generation_has_its_genomes_in_the_record) {
+    const TemporaryFolder folder;
+    const Spec spec = fake_spec("osc", 3, 4);
+    const auto place = write_fake_run(folder.path(), spec, seed, life);
+    std::vector<Genome> last = fake_population(spec, seed).genomes;
+    for (std::size_t slot = 0; slot < last.size(); ++slot) last[slot].id = 2 * 4 + static_cast<int>(slot);
+    BOOST_TEST((read_last_population(read_run(place)) == last));
+
+    // Without its second slot it is no population.
+    std::vector<PopulationRow> rows = read_table<PopulationRow>(place);
+    std::erase_if(rows, [](const PopulationRow &row) { return row.slot == 1; });
+    write_table<PopulationRow>(place, rows);
+    BOOST_TEST(contains(message_of<InputError>([&] { read_last_population(read_run(place)); }),
+                        "population.csv.gz: slot 1 is missing"));
+}
+
+BOOST_AUTO_TEST_CASE(every_species_has_a_row_in_every_generation) {
+    const TemporaryFolder folder;
+    const Spec spec = fake_spec("osc", 1, 4);
+    {
+        RunWriter writer(folder / "run", spec, seed, fake_identity());
+        Population population = fake_population(spec, seed);
+        Species young{.id = 9, .representative = population.genomes[1], .age = 3, .stagnation = 2};
+        young.members = {1, 2, 3};
+        young.best_ever = 2.5, young.best = true;
+        population.species[0].members = {0};
+        population.species.push_back(young);
+        FakeSearch search;
+        observe_fake(writer, spec, population, search, 0, life);
+        writer.finish();
+    }
+    const auto rows = read_table<SpeciesRow>(folder / "run");
+    BOOST_REQUIRE(rows.size() == 2u);
+    BOOST_TEST(rows[0].species == 7);
+    BOOST_TEST(rows[0].size == 1);
+    BOOST_TEST(rows[0].best_score == 4);
+    BOOST_TEST(rows[0].mark == 0);
+    const SpeciesRow &row = rows[1];
+    BOOST_TEST(row.generation == 0);
+    BOOST_TEST(row.species == 9);
+    BOOST_TEST(row.size == 3);
+    BOOST_TEST(row.age == 3);
+    BOOST_TEST(row.stagnation == 2);
+    BOOST_TEST(row.mark == 1);
+    BOOST_TEST(row.best_score == 2);
+    BOOST_TEST(row.mean_score == 1);
+    BOOST_TEST(row.best_ever == 2.5);
+    BOOST_TEST(row.representative == 1);
+}
+
+BOOST_AUTO_TEST_CASE(diversity_of_shapes_is_that_of_the_viable) {
+    const TemporaryFolder folder;
+    const Spec spec = fake_spec("osc", 1, 3);
+    RunWriter writer(folder / "run", spec, seed, fake_identity());
+    const Population population = fake_population(spec, seed);
+    std::vector<Life> lives(3);
+    const std::vector<Vec2d> line{{0, 0}, {1, 0}, {2, 0}}, corner{{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+    lives[0].shape = lives[1].shape = shape_distribution(line);
+    lives[2].shape = shape_distribution(corner);
+    lives[0].outcome = lives[2].outcome = Outcome::viable;
+    lives[1].outcome = Outcome::never_settled;
+    const std::vector<Evaluation> evaluations(3);
+    const std::vector<double> scores(3);
+    writer.observe({0, population, lives, evaluations, scores, FakeSearch(), 0});
+    writer.finish();
+    const double expected = shape_distance(lives[0].shape, lives[2].shape);
+    BOOST_TEST(expected > 0.1);
+    BOOST_TEST(read_table<GenerationRow>(folder / "run").at(0).shape_diversity == expected);
+}
+
 BOOST_AUTO_TEST_CASE(an_archive_is_written_for_searches_that_have_one) {
     const TemporaryFolder folder;
     const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4), seed, life, 0.5);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/lineage.h"
+
+#include "base/error.h"
+#include "core/record/fake_run.h"
+#include "record/csv.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace planula;
+
+namespace {
+
+/// A run of four generations of three: genome 3 g + slot; the mother is the one in the same slot before.
+struct Family {
+    Family() {
+        const Spec spec = fake_spec("osc", 4, 3);
+        RunWriter writer(folder / "run", spec, 1, fake_identity());
+        Population population = fake_population(spec, 1);
+        FakeSearch search;
+        for (int g = 0; g < 4; ++g) {
+            for (int slot = 0; slot < 3; ++slot) {
+                Genome &genome = population.genomes[static_cast<std::size_t>(slot)];
+                genome.mother = g == 0 ? -1 : 3 * (g - 1) + slot;
+                genome.father = g == 2 ? 3 : -1;
+                genome.origin = g == 0   ? Origin::initial
+                                : g == 1 ? Origin::champion
+                                : g == 2 ? Origin::crossover
+                                         : Origin::clone;
+            }
+            observe_fake(writer, spec, population, search, g, [](int generation, int slot) {
+                return FakeLife{.fitness = 1.0 + generation + slot};
+            });
+        }
+        writer.finish();
+    }
+    std::vector<std::int64_t> line(std::int64_t genome, bool copies) const {
+        std::vector<std::int64_t> ids;
+        for (const LineageRow &row : lineage(read_run(folder / "run"), genome, copies))
+            ids.push_back(row.genome);
+        return ids;
+    }
+    TemporaryFolder folder;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_line_goes_from_the_first_generation_to_the_genome) {
+    const Family family;
+    BOOST_TEST((family.line(11, true) == std::vector<std::int64_t>{2, 5, 8, 11}));
+    BOOST_TEST((family.line(6, true) == std::vector<std::int64_t>{0, 3, 6}));
+    BOOST_TEST((family.line(0, true) == std::vector<std::int64_t>{0}));
+}
+
+BOOST_AUTO_TEST_CASE(unchanged_copies_are_left_out_but_for_the_genome_itself) {
+    const Family family;
+    BOOST_TEST((family.line(11, false) == std::vector<std::int64_t>{2, 8, 11}));
+    BOOST_TEST((family.line(5, false) == std::vector<std::int64_t>{2, 5}));
+}
+
+BOOST_AUTO_TEST_CASE(an_ancestor_is_told_with_what_it_was_and_did) {
+    const Family family;
+    const LineageRow row = lineage(read_run(family.folder / "run"), 11, false).at(1);
+    BOOST_TEST(row.generation == 2);
+    BOOST_TEST(row.slot == 2);
+    BOOST_TEST(row.origin == "crossover");
+    BOOST_TEST(row.mother == 5);
+    BOOST_TEST(row.father == 3);
+    BOOST_TEST(row.fitness == 5);
+    BOOST_TEST(row.cells == 10);
+    BOOST_TEST(row.links == 54);
+}
+
+BOOST_AUTO_TEST_CASE(a_genome_that_never_was_and_a_mother_born_later_are_refused) {
+    const Family family;
+    const RecordedRun run = read_run(family.folder / "run");
+    const std::string file = (family.folder / "run/individuals.csv.gz").string();
+    BOOST_TEST(contains(message_of<InputError>([&] { lineage(run, 12, true); }),
+                        file + ": the run never had a genome 12"));
+    auto rows = read_table<IndividualRow>(run.folder);
+    rows[5].mother = 5;
+    write_table<IndividualRow>(run.folder, rows);
+    BOOST_TEST(
+        contains(message_of<InputError>([&] { lineage(run, 11, true); }), "who is not born before it"));
+}
