@@ -2,41 +2,91 @@
 #include "body/connect.h"
 
 #include "geometry/components.h"
-#include "geometry/delaunay.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace planula {
 
-Mesh connect(std::span<const Vec2d> positions, double limit) {
-    const Triangulation full = delaunay(positions);
+namespace {
 
-    // Short links are all kept; the longer ones wait, shortest first.
-    Mesh mesh;
+/// Which edges are no longer than the limit.
+std::vector<char> short_edges(const Triangulation &full, std::span<const Vec2d> positions, double limit) {
+    std::vector<char> result;
+    result.reserve(full.edges.size());
+    for (const auto &[a, b] : full.edges)
+        result.push_back(squared_length(positions[b] - positions[a]) <= limit * limit);
+    return result;
+}
+
+/// The links: short edges are all kept; the longer ones wait, shortest first, for ends not yet connected.
+std::vector<Link> links_of(const Triangulation &full, std::span<const char> is_short,
+                           std::span<const Vec2d> positions) {
     Components components(static_cast<int>(positions.size()));
+    std::vector<Link> links;
     std::vector<std::pair<double, Link>> longer;
-    for (const auto &[a, b] : full.edges) {
-        const double squared = squared_length(positions[b] - positions[a]);
-        if (squared <= limit * limit) {
-            mesh.links.push_back({a, b});
-            components.join(a, b);
-        } else {
-            longer.push_back({squared, {a, b}});
+    for (std::size_t i = 0; i < full.edges.size(); ++i) {
+        const auto [a, b] = full.edges[i];
+        if (!is_short[i]) {
+            longer.push_back({squared_length(positions[b] - positions[a]), {a, b}});
+            continue;
         }
+        links.push_back({a, b});
+        components.join(a, b);
     }
+    if (components.count() == 1) return links;
     std::sort(longer.begin(), longer.end());
     for (const auto &[squared, link] : longer)
-        if (components.join(link.a, link.b)) mesh.links.push_back(link);
-    std::sort(mesh.links.begin(), mesh.links.end());
+        if (components.join(link.a, link.b)) links.push_back(link);
+    std::sort(links.begin(), links.end());
+    return links;
+}
 
-    // A face survives with its links.
-    const auto kept = [&](int a, int b) {
-        return std::binary_search(mesh.links.begin(), mesh.links.end(), Link{std::min(a, b), std::max(a, b)});
-    };
+/// The faces whose three links are kept.
+std::vector<Triangle> triangles_of(const Triangulation &full, std::span<const Link> links,
+                                   std::size_t cells) {
+    std::vector<bool> linked(cells * cells);
+    for (const auto &[a, b] : links) linked[a * cells + b] = linked[b * cells + a] = true;
+    std::vector<Triangle> triangles;
     for (const auto &[a, b, c] : full.faces)
-        if (kept(a, b) && kept(b, c) && kept(c, a)) mesh.triangles.push_back({a, b, c});
+        if (linked[a * cells + b] && linked[b * cells + c] && linked[c * cells + a])
+            triangles.push_back({a, b, c});
+    return triangles;
+}
+
+Mesh mesh_of(const Triangulation &full, std::span<const char> is_short, std::span<const Vec2d> positions) {
+    Mesh mesh{.links = links_of(full, is_short, positions)};
+    mesh.triangles = triangles_of(full, mesh.links, positions.size());
     return mesh;
+}
+
+} // namespace
+
+Mesh connect(std::span<const Vec2d> positions, double limit) {
+    const Triangulation full = delaunay(positions);
+    return mesh_of(full, short_edges(full, positions, limit), positions);
+}
+
+void Connection::start(std::span<const Vec2d> positions) {
+    delaunay_.start(positions);
+    connect_all(positions);
+}
+
+bool Connection::follow(std::span<const Vec2d> positions) {
+    if (!delaunay_.follow(positions)) return false;
+
+    // Longer links depend on all lengths; without them the mesh changes only with the set of short edges.
+    changed_ =
+        delaunay_.has_changed() || !all_short_ || short_ != short_edges(delaunay_.now(), positions, limit_);
+    if (changed_) connect_all(positions);
+    return true;
+}
+
+void Connection::connect_all(std::span<const Vec2d> positions) {
+    short_ = short_edges(delaunay_.now(), positions, limit_);
+    mesh_ = mesh_of(delaunay_.now(), short_, positions);
+    all_short_ = static_cast<std::size_t>(std::count(short_.begin(), short_.end(), 1)) == mesh_.links.size();
+    changed_ = true;
 }
 
 bool has_coincident_points(std::span<const Vec2d> positions) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "body/mesh.h"
+#include "geometry/delaunay.h"
 
 namespace planula {
 
@@ -11,6 +12,31 @@ namespace planula {
 /// link whose ends are not yet connected. Triangles: the Delaunay faces whose three links all survive.
 /// Positions must be finite and pairwise different; check with has_coincident_points.
 Mesh connect(std::span<const Vec2d> positions, double limit);
+
+/// The same while cells move, sooner.
+class Connection {
+  public:
+    explicit Connection(double limit) : limit_(limit) {}
+
+    /// Of new cells.
+    void start(std::span<const Vec2d> positions);
+    /// Of the same cells at new, finite places. False if it must be started anew; then cells may coincide.
+    bool follow(std::span<const Vec2d> positions);
+
+    const Mesh &mesh() const { return mesh_; }
+    /// Whether links are others than before the last start() or follow().
+    bool has_changed() const { return changed_; }
+
+  private:
+    void connect_all(std::span<const Vec2d> positions);
+
+    double limit_;
+    MovingDelaunay delaunay_;
+    Mesh mesh_;
+    std::vector<char> short_; // per edge of the triangulation
+    bool all_short_ = false;  // whether no link is longer than the limit
+    bool changed_ = false;
+};
 
 /// Whether two points have equal coordinates, so that no triangulation has a place for both.
 bool has_coincident_points(std::span<const Vec2d> positions);

@@ -68,30 +68,47 @@ Outcome decide(const Network &network, Actuation actuation, double time, const P
     return embryo.cells.empty() ? Outcome::died_out : Outcome::viable;
 }
 
-/// Whether the cells can be triangulated.
-bool is_sound(std::span<const Vec2d> places) {
-    return std::all_of(places.begin(), places.end(), [](Vec2d p) { return is_finite(p); }) &&
-           !has_coincident_points(places);
+bool all_finite(std::span<const Vec2d> places) {
+    return std::all_of(places.begin(), places.end(), [](Vec2d p) { return is_finite(p); });
 }
 
-void refresh(Mesh mesh, Embryo &embryo) {
-    embryo.mesh = std::move(mesh);
+/// Whether the cells can be triangulated.
+bool is_sound(std::span<const Vec2d> places) { return all_finite(places) && !has_coincident_points(places); }
+
+void take_mesh(const Mesh &mesh, Embryo &embryo) {
+    embryo.mesh = mesh;
     embryo.neighbours = neighbours(embryo.mesh, static_cast<int>(embryo.cells.size()));
+}
+
+/// The neighbourhood at the cells' present places; `same_cells` as at the last refresh? Returns whether they
+/// can be triangulated.
+bool refresh(bool same_cells, Connection &connection, Embryo &embryo) {
+    const std::vector<Vec2d> places = positions(embryo);
+    if (!same_cells || !all_finite(places) || !connection.follow(places)) {
+        if (!is_sound(places)) return false;
+        connection.start(places);
+    }
+    if (connection.has_changed()) take_mesh(connection.mesh(), embryo);
+    return true;
 }
 
 /// All steps of development. Returns viable if cells are left that can be triangulated.
 Outcome develop(const Network &network, Actuation actuation, const Parameters &parameters,
                 const GrowthWatch &watch, Embryo &embryo) {
+    Connection connection(parameters.link_limit * 2 * parameters.cell_radius);
+    bool same_cells = false; // as at the last refresh
     for (int step = 0; step < parameters.development_steps; ++step) {
         if (step % parameters.decision_interval == 0) {
             const double time = static_cast<double>(step) / parameters.development_steps;
+            const int births = embryo.births;
+            const std::size_t cells = embryo.cells.size();
             const Outcome outcome = decide(network, actuation, time, parameters, embryo);
             if (outcome != Outcome::viable) return outcome;
+            same_cells = same_cells && embryo.births == births && embryo.cells.size() == cells;
         }
         if (step % parameters.neighbourhood_interval == 0) {
-            const std::vector<Vec2d> places = positions(embryo);
-            if (!is_sound(places)) return Outcome::exploded;
-            refresh(connect(places, parameters.link_limit * 2 * parameters.cell_radius), embryo);
+            if (!refresh(same_cells, connection, embryo)) return Outcome::exploded;
+            same_cells = true;
         }
         if (watch) watch(step, positions(embryo), embryo.mesh.links);
         relax(parameters, embryo);
@@ -123,7 +140,7 @@ Growth grow(const Network &network, Actuation actuation, const Parameters &param
     // One last triangulation is the template of the body; oscillators are read out over it, at time 1
     // (§2.6.1).
     growth.body = make_body(positions(embryo), parameters.link_limit * 2 * parameters.cell_radius);
-    refresh(growth.body.mesh, embryo);
+    take_mesh(growth.body.mesh, embryo);
     if (watch) watch(parameters.development_steps, growth.body.positions, growth.body.mesh.links);
     if (actuation == Actuation::oscillator && !update_networks(network, actuation, 1, parameters, embryo))
         growth.outcome = Outcome::exploded;

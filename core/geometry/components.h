@@ -9,7 +9,7 @@ namespace planula {
 
 class Components {
   public:
-    explicit Components(int count) : parent_(static_cast<std::size_t>(count)) {
+    explicit Components(int count) : parent_(static_cast<std::size_t>(count)), count_(count) {
         std::iota(parent_.begin(), parent_.end(), 0);
     }
 
@@ -17,9 +17,13 @@ class Components {
     bool join(int a, int b) {
         a = root(a), b = root(b);
         parent_[b] = a;
+        count_ -= a != b;
         return a != b;
     }
     bool connected(int a, int b) { return root(a) == root(b); }
+
+    /// How many components there are.
+    int count() const { return count_; }
 
   private:
     int root(int vertex) {
@@ -28,6 +32,7 @@ class Components {
     }
 
     std::vector<int> parent_;
+    int count_;
 };
 
 } // namespace planula

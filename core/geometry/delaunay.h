@@ -7,6 +7,7 @@
 #include "base/vec2.h"
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,5 +21,29 @@ struct Triangulation {
 /// One point: nothing; two: one edge; collinear points: the chain along their line. Points must be finite and
 /// pairwise different (InternalError otherwise: CGAL would silently lose a vertex).
 Triangulation delaunay(std::span<const Vec2d> points);
+
+/// The triangulation of points that move: kept as long as it is right, and mended by flips.
+class MovingDelaunay {
+  public:
+    MovingDelaunay();
+    ~MovingDelaunay();
+
+    /// Of new points; as delaunay().
+    void start(std::span<const Vec2d> points);
+    /// The same points at new, finite places: as delaunay() of them, sooner. False if a face or the hull has
+    /// turned over or there are no faces, so that it must be started again; then points may coincide, else
+    /// they do not.
+    bool follow(std::span<const Vec2d> points);
+
+    const Triangulation &now() const { return now_; }
+    /// Whether edges or faces are others than before the last start() or follow().
+    bool has_changed() const { return changed_; }
+
+  private:
+    struct Mesh; // of CGAL
+    std::unique_ptr<Mesh> mesh_;
+    Triangulation now_;
+    bool changed_ = false;
+};
 
 } // namespace planula

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "body/connect.h"
 
+#include "base/random.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -41,6 +43,31 @@ BOOST_AUTO_TEST_CASE(bridges_are_kept_shortest_first) {
     // Three far points: the two shorter sides join them, the longest goes.
     const Mesh mesh = connect(std::vector<Vec2d>{{0, 0}, {3, 0}, {0, 4}}, 1.5);
     BOOST_TEST((mesh.links == std::vector<Link>{{0, 1}, {0, 2}}));
+}
+
+BOOST_AUTO_TEST_CASE(the_mesh_of_moving_cells_is_that_of_new_ones) {
+    // A dense cloud, and one so thin that links are lost and found and bridges change.
+    Stream stream(5, 0, 0, Purpose::sampling);
+    int followed = 0, unchanged = 0;
+    for (const double width : {5, 9}) {
+        std::vector<Vec2d> cells(60);
+        for (auto &[x, y] : cells) x = width * stream.uniform(), y = width * stream.uniform();
+        Connection connection(1.5);
+        connection.start(cells);
+        for (int t = 0; t < 400; ++t) {
+            const double pace = t < 200 ? 0.001 : 0.03;
+            for (auto &[x, y] : cells) x += pace * stream.triangular(), y += pace * stream.triangular();
+            const bool could = connection.follow(cells);
+            if (!could) connection.start(cells);
+            followed += could, unchanged += !connection.has_changed();
+            const Mesh anew = connect(cells, 1.5);
+            BOOST_REQUIRE((connection.mesh().links == anew.links));
+            BOOST_REQUIRE((connection.mesh().triangles == anew.triangles));
+        }
+    }
+    BOOST_TEST(followed > 200);
+    BOOST_TEST(unchanged > 50);
+    BOOST_TEST(unchanged < 400);
 }
 
 BOOST_AUTO_TEST_CASE(coincident_points_are_found) {

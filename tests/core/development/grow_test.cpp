@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "development/grow.h"
 
+#include "body/connect.h"
 #include "support/print.h"
 #include "support/specimens.h"
 
@@ -30,6 +31,21 @@ BOOST_AUTO_TEST_CASE(cells_that_divide_eastwards_grow_a_line_by_one_cell_a_decis
     BOOST_TEST(growth.cells == 13);
     BOOST_TEST(elongation(growth.body.positions) > 20);
     for (const Vec2d p : growth.body.positions) BOOST_TEST(std::abs(p.y) < 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(links_that_follow_moving_cells_are_those_of_a_new_triangulation) {
+    // At every refresh of whole developments: discs, legs, lumps, and what random genomes do.
+    for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
+        std::vector<Genome> genomes{disc_genome(actuation), two_legged_genome(actuation),
+                                    lump_genome(actuation, 12), line_genome(actuation, 12)};
+        for (std::uint64_t seed = 1; seed <= 12; ++seed) genomes.push_back(random_genome(actuation, seed));
+        for (const Genome &genome : genomes)
+            grown(genome, actuation, [](int step, auto cells, auto links) {
+                if (step % 10 != 0) return;
+                const Mesh anew = connect(cells, 1.5);
+                BOOST_REQUIRE(std::equal(links.begin(), links.end(), anew.links.begin(), anew.links.end()));
+            });
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_silent_inhibitor_lets_every_cell_divide_at_every_decision) {

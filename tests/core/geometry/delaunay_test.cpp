@@ -79,3 +79,63 @@ BOOST_AUTO_TEST_CASE(points_that_would_be_lost_are_refused) {
     BOOST_CHECK_THROW(delaunay(std::vector<Vec2d>{{0, 0}, {1, 0}, {0, nan}}), InternalError);
     BOOST_CHECK_THROW(delaunay(std::vector<Vec2d>{{0, 0}, {1, 0}, {0, 1}, {1, 0}}), InternalError);
 }
+
+BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) {
+    // A cloud that jitters: mostly kept or flipped, sometimes begun again.
+    for (const double pace : {0.002, 0.02, 0.2}) {
+        Stream stream(7, 0, 0, Purpose::sampling);
+        std::vector<Vec2d> points = scatter(100, 3);
+        MovingDelaunay moving;
+        moving.start(points);
+        int followed = 0, changed = 0;
+        for (int t = 0; t < 200; ++t) {
+            for (auto &[x, y] : points) x += pace * stream.triangular(), y += pace * stream.triangular();
+            const bool could = moving.follow(points);
+            if (!could) moving.start(points);
+            followed += could, changed += could && moving.has_changed();
+            const Triangulation anew = delaunay(points);
+            BOOST_REQUIRE((moving.now().edges == anew.edges));
+            BOOST_REQUIRE((moving.now().faces == anew.faces));
+        }
+        BOOST_TEST(followed > (pace < 0.1 ? 100 : 5), pace << ": " << followed);
+        BOOST_TEST(changed > (pace < 0.01 ? 10 : 5), pace << ": " << changed);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(moving_points_of_a_grid_break_ties_as_new_ones_do) {
+    // Points hop between halves of a grid's cells: cocircular and collinear ones remain at every step.
+    Stream stream(8, 0, 0, Purpose::sampling);
+    std::vector<Vec2d> grid;
+    for (int x = 0; x < 7; ++x)
+        for (int y = 0; y < 7; ++y) grid.push_back({double(x), double(y)});
+    std::vector<Vec2d> points = grid;
+    MovingDelaunay moving;
+    moving.start(points);
+    int followed = 0, changed = 0;
+    for (int t = 0; t < 400; ++t) {
+        const auto i = static_cast<std::size_t>(stream.uniform() * 49);
+        points[i] = grid[i];
+        if (t % 3 > 0) points[i].x += t % 2 == 0 ? 0.25 : -0.25;
+        if (t % 3 > 1) points[i].y += t % 4 < 2 ? 0.25 : -0.25;
+        const bool could = moving.follow(points);
+        if (!could) moving.start(points);
+        followed += could, changed += could && moving.has_changed();
+        BOOST_REQUIRE((moving.now().edges == delaunay(points).edges));
+    }
+    BOOST_TEST(followed > 200);
+    BOOST_TEST(changed > 100);
+}
+
+BOOST_AUTO_TEST_CASE(a_hull_that_turns_inwards_and_points_on_one_line_cannot_be_followed) {
+    std::vector<Vec2d> square{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0.5, 1.5}};
+    MovingDelaunay moving;
+    BOOST_TEST(!moving.follow(square)); // never started
+    moving.start(square);
+    BOOST_TEST(moving.follow(square));
+    BOOST_TEST(!moving.has_changed());
+    square[1] = {0.95, 1.05}; // the hull goes from 0 to 2 now
+    BOOST_TEST(!moving.follow(square));
+    const std::vector<Vec2d> line{{0, 0}, {1, 1}, {2, 2}};
+    moving.start(line);
+    BOOST_TEST(!moving.follow(line));
+}
