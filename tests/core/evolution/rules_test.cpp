@@ -196,6 +196,10 @@ BOOST_AUTO_TEST_CASE(rounding_gives_exactly_three_hundred) {
     thirteen[0] = 24;
     BOOST_TEST(even(13) == thirteen, per_element());
 
+    // Halves are rounded up: of 2.5 each for four, the last has what is left.
+    const Population halves = after(far_apart({2, 2, 2, 2}), {1, 1, 1, 1}, frozen(10));
+    BOOST_TEST(sizes(halves) == (std::vector<int>{3, 3, 3, 1}), per_element());
+
     // Whatever the scores.
     Stream stream = specimens::stream(12);
     for (int n = 0; n < 40; ++n) {
