@@ -91,16 +91,22 @@ Places layout(const Genome &genome) {
     return places;
 }
 
-/// The way of a link: straight on to the right, in a loop above a node, or back in a bow.
+/// The way of a link: straight on to the right; within a column in a bow on its left; back to the left in a
+/// bow below; of a node to itself in a loop above.
 std::string way(Vec2d from, Vec2d to) {
-    const Vec2d out = from + Vec2d{radius, 0}, in = to - Vec2d{radius, 0};
+    const auto curve = [](Vec2d start, Vec2d bend, Vec2d unbend, Vec2d end) {
+        return "M " + point(start) + " C " + point(bend) + ", " + point(unbend) + ", " + point(end);
+    };
+    const Vec2d right_side{radius, 0}, below{0, radius};
+    const double across = to.x - from.x;
     if (from.x == to.x && from.y == to.y)
-        return "M " + point(from + Vec2d{6, -9}) + " C " + point(from + Vec2d{30, -42}) + ", " +
-               point(from + Vec2d{-30, -42}) + ", " + point(from + Vec2d{-6, -9});
-    const double reach = in.x > out.x + 2 * radius ? 0.45 * (in.x - out.x) : 70;
-    const double lift = in.x > out.x + 2 * radius ? 0 : std::abs(to.y - from.y) < row ? -55 : 0;
-    return "M " + point(out) + " C " + point(out + Vec2d{reach, lift}) + ", " +
-           point(in + Vec2d{-reach, lift}) + ", " + point(in);
+        return curve(from + Vec2d{6, -10}, from + Vec2d{30, -44}, from + Vec2d{-30, -44},
+                     from + Vec2d{-6, -10});
+    if (std::abs(across) < 4 * radius)
+        return curve(from - right_side, from - Vec2d{70, 0}, to - Vec2d{70, 0}, to - right_side);
+    if (across < 0) return curve(from + below, from + Vec2d{-30, 75}, to + Vec2d{30, 75}, to + below);
+    const Vec2d reach{0.45 * (across - 2 * radius), 0};
+    return curve(from + right_side, from + right_side + reach, to - right_side - reach, to - right_side);
 }
 
 /// The weakest first, so that the strong lie on top.
@@ -134,7 +140,7 @@ std::string draw_nodes(const Genome &genome, const Places &places) {
         const Vec2d at = places.at(node.id);
         const bool is_output = node.kind == NodeKind::output, is_hidden = node.kind == NodeKind::hidden;
         text += "<circle cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"" + number(radius) +
-                "\" fill=\"" +
+                "\" stroke=\"" + ink + "\" fill=\"" +
                 (is_hidden   ? "#ffffff"
                  : is_output ? "#fde8c4"
                              : "#dfe9f3") +

@@ -11,10 +11,11 @@ namespace {
 
 /// The distance of every pair.
 std::vector<double> distances(std::span<const Vec2d> cells) {
-    std::vector<double> found;
-    found.reserve(cells.size() * (cells.size() - std::min<std::size_t>(cells.size(), 1)) / 2);
+    if (cells.empty()) return {};
+    std::vector<double> found(cells.size() * (cells.size() - 1) / 2);
+    double *pair = found.data();
     for (std::size_t a = 0; a < cells.size(); ++a)
-        for (std::size_t b = a + 1; b < cells.size(); ++b) found.push_back(length(cells[b] - cells[a]));
+        for (std::size_t b = a + 1; b < cells.size(); ++b) *pair++ = length(cells[b] - cells[a]);
     return found;
 }
 
@@ -32,7 +33,7 @@ ShapeDistribution shape_distribution(std::span<const Vec2d> cells) {
     const double scale = static_cast<double>(pairs.size()) / sum * (shape_classes / shape_reach);
     std::array<int, shape_classes> counts{};
     for (const double distance : pairs)
-        ++counts[static_cast<std::size_t>(std::min(distance * scale, shape_classes - 1.0))];
+        ++counts[static_cast<std::size_t>(static_cast<int>(std::min(distance * scale, shape_classes - 1.0)))];
     int below = 0;
     for (std::size_t i = 0; i < shape.size(); ++i) {
         below += counts[i];
