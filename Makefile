@@ -113,13 +113,14 @@ signature: program ## one hash over all eight settings must be the one in tests/
 verify-signature: deps ## the same, with a second compiler or optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills
+torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills; every file call failing once
 	@bash tests/torture/signature.sh --all
 	@cmake --build build --parallel $(JOBS) --target planula $(TORTURE) > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
 	@build/tests/random_genomes 200000
 	@build/tests/passive_bodies 50000
 	@build/tests/random_cases 100000
 	@bash tests/torture/kills.sh $(PLANULA)
+	@bash tests/torture/faults.sh $(PLANULA)
 TORTURE = random_genomes passive_bodies random_cases
 
 # Twenty seeds a row take about a quarter of an hour on two free cores; BENCHMARK_SEEDS='1 50' more than twice as long.
