@@ -94,14 +94,14 @@ class RunCommand {
     }
 
     // The beginning of a run, or where an earlier process left it.
-    static RunState start(const Spec &setting, std::uint64_t seed, RunWriter &writer, Hooks &hooks,
-                          Progress &progress) {
+    RunState start(const Spec &setting, std::uint64_t seed, RunWriter &writer, Hooks &hooks,
+                   const Interrupt &interrupt, Progress &progress) const {
         for (const std::filesystem::path &path : writer.damaged())
             progress.tell(path.string() + ": damaged, passed over");
         std::optional<RunState> left = writer.take_state();
         if (!left) {
             hooks.begin_run();
-            return begin(setting, seed);
+            return begin(setting, seed, threads_, [&] { return interrupt.requested(); });
         }
         hooks.continue_run(writer.memory());
         const int done = left->population.generation;
@@ -119,7 +119,7 @@ class RunCommand {
         RunWriter writer(run_folder(out_, setting.name, task.seed), setting, task.seed,
                          identity_of(experiment_, setting), interval_);
         progress.begin(name, setting.parameters.generations);
-        RunState state = start(setting, task.seed, writer, hooks, progress);
+        RunState state = start(setting, task.seed, writer, hooks, interrupt, progress);
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
             progress.generation(generation.number, writer.best_fitness(),

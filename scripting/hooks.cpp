@@ -27,8 +27,8 @@ bool is_sample(std::int64_t call) {
     return std::has_single_bit(static_cast<std::uint64_t>(call)) || call % calls_between_samples == 0;
 }
 
-// A body of some size that lived as the outcome says.
-Life specimen(Outcome outcome, const Parameters &parameters) {
+// A body of some size that lived as the outcome says, to the end of that stage.
+Life specimen(Outcome outcome, Stage stage, const Parameters &parameters) {
     Life life;
     life.outcome = outcome;
     const bool grew = outcome != Outcome::died_out && outcome != Outcome::too_small;
@@ -39,6 +39,7 @@ Life specimen(Outcome outcome, const Parameters &parameters) {
     life.links = 2 * life.cells;
     life.triangles = life.cells + 1;
     life.elongation = 2;
+    if (stage == Stage::growth) return life;
     life.settle_steps = 2 * parameters.settle_window;
     life.rest = {0, 1};
     life.end = {10, 1.5};
@@ -63,15 +64,16 @@ struct Hooks::Verdict {
 // The three functions in a Lua state of their own.
 class Hooks::Functions {
   public:
-    Functions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters)
-        : lua_(sources, sources->script()), parameters_(parameters) {
+    Functions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters, Stage stage)
+        : lua_(sources, sources->script()), parameters_(parameters), stage_(stage) {
         const Value &result = lua_.result();
         const Value *settings = result.find("settings");
         const Value &setting = settings ? settings->list.at(static_cast<std::size_t>(index)) : result;
         for (const auto &[name, reference] :
              {std::pair{"penalty", &penalty_}, std::pair{"fitness", &fitness_},
               std::pair{"behaviour", &behaviour_}}) {
-            const Value *function = setting.find(name);
+            const bool before = stage == Stage::growth && reference == &behaviour_;
+            const Value *function = before ? setting.find("start")->find(name) : setting.find(name);
             CHECK(function && function->is(Value::Kind::function), name);
             *reference = function->function;
         }
@@ -123,7 +125,9 @@ class Hooks::Functions {
         if (!number("penalty", penalty_, nullptr, evaluation.penalty, verdict)) return;
         if (evaluation.penalty > 1) return fail("penalty", "returned a number above 1", verdict);
         if (!evaluation.valid()) return;
-        if (!number("fitness", fitness_, &evaluation.penalty, evaluation.fitness, verdict)) return;
+        if (stage_ == Stage::life &&
+            !number("fitness", fitness_, &evaluation.penalty, evaluation.fitness, verdict))
+            return;
         list(evaluation.behaviour, verdict);
     }
 
@@ -199,21 +203,22 @@ class Hooks::Functions {
 
     LuaState lua_;
     const Parameters parameters_;
+    const Stage stage_;
     LifeSlot *slot_ = nullptr;
     int penalty_ = 0, fitness_ = 0, behaviour_ = 0; // references of lua_
     int life_ = 0, shown_parameters_ = 0;
     std::size_t length_ = 0;
 };
 
-Hooks::Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters)
-    : sources_(std::move(sources)), index_(index), parameters_(parameters) {
+Hooks::Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters, Stage stage)
+    : sources_(std::move(sources)), index_(index), parameters_(parameters), stage_(stage) {
     begin_run();
 }
 
 Hooks::~Hooks() = default;
 
 void Hooks::begin_run() {
-    functions_ = std::make_unique<Functions>(sources_, index_, parameters_);
+    functions_ = std::make_unique<Functions>(sources_, index_, parameters_, stage_);
     calls_ = invalid_ = 0;
     first_problem_.clear();
 }
@@ -239,7 +244,7 @@ std::string Hooks::memory() const {
 
 Hooks::Verdict Hooks::judge_twice(const Life &life) {
     const Verdict verdict = functions_->judge(life);
-    const Verdict fresh = Functions(sources_, index_, parameters_).judge(life);
+    const Verdict fresh = Functions(sources_, index_, parameters_, stage_).judge(life);
     const auto differ = [&](const char *name) {
         throw InputError(functions_->where(name) + name +
                          " remembers earlier calls: a life must be judged by itself alone");
@@ -254,7 +259,7 @@ Hooks::Verdict Hooks::judge_twice(const Life &life) {
 void Hooks::try_out() {
     begin_run();
     for (std::size_t i = 0; i < outcome_names.size(); ++i) {
-        const Life life = specimen(static_cast<Outcome>(i), parameters_);
+        const Life life = specimen(static_cast<Outcome>(i), stage_, parameters_);
         functions_->judge(life);
         const Verdict verdict = judge_twice(life);
         if (verdict.wrong_kind)

@@ -5,6 +5,8 @@
 //   fitness(life, parameters, penalty)  f of Eq. (4), 0 … 1e100
 //   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100
 //
+// The behaviour of a setting's `start` is asked beside its penalty for lives that end with development.
+//
 // A function that raises an error, or returns something else, makes that individual invalid; it is counted
 // and the run goes on. Functions must not remember anything: a sample of lives is judged a second time in a
 // fresh Lua state, and must be judged alike there.
@@ -21,10 +23,14 @@
 
 namespace planula {
 
+/// Which lives are judged: whole ones, or those before the run, by growth alone and without fitness.
+enum class Stage { life, growth };
+
 class Hooks {
   public:
     /// The functions of setting `index` (from 0) of the script, and the parameters that they are shown.
-    Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters);
+    Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters,
+          Stage stage = Stage::life);
     ~Hooks();
 
     /// Judges a few made-up lives, one of each outcome. Throws InputError if a function raises an error,
@@ -53,6 +59,7 @@ class Hooks {
     std::shared_ptr<Sources> sources_;
     int index_;
     Parameters parameters_;
+    Stage stage_;
     std::unique_ptr<Functions> functions_;
     std::int64_t calls_ = 0, invalid_ = 0;
     std::string first_problem_;

@@ -46,6 +46,10 @@ std::string sources_text(const Experiment &experiment) {
     return text + "  },\n";
 }
 
+std::string start_text(const Spec &setting) {
+    return setting.start ? "  start = { generations = " + to_text(setting.start->generations) + " },\n" : "";
+}
+
 } // namespace
 
 std::string resolved_text(const Experiment &experiment, const Spec &setting) {
@@ -58,7 +62,7 @@ std::string resolved_text(const Experiment &experiment, const Spec &setting) {
     for (const ParameterRow &row : parameter_rows())
         text +=
             "    " + std::string(row.name) + " = " + to_text(parameter(setting.parameters, row.name)) + ",\n";
-    return text + "  },\n" + sources_text(experiment) + "}\n";
+    return text + "  },\n" + start_text(setting) + sources_text(experiment) + "}\n";
 }
 
 RunIdentity identity_of(const Experiment &experiment, const Spec &setting) {

@@ -18,10 +18,11 @@ namespace {
 
 constexpr std::string_view setting_keys[] = {"name",    "title",       "actuation",  "search",
                                              "engine",  "environment", "parameters", "fitness",
-                                             "penalty", "behaviour"};
-constexpr std::string_view experiment_keys[] = {"name",    "title",       "actuation",  "search",
-                                                "engine",  "environment", "parameters", "fitness",
-                                                "penalty", "behaviour",   "statistics", "sensitivity"};
+                                             "penalty", "behaviour",   "start"};
+constexpr std::string_view start_keys[] = {"generations", "behaviour"};
+constexpr std::string_view experiment_keys[] = {
+    "name",    "title",   "actuation", "search", "engine",     "environment", "parameters",
+    "fitness", "penalty", "behaviour", "start",  "statistics", "sensitivity"};
 constexpr std::string_view design_keys[] = {"name",     "title",      "parameters",
                                             "settings", "statistics", "sensitivity"};
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
@@ -56,13 +57,14 @@ class Schema {
 
         // The functions can be tried out once everything that they are shown is right.
         problems_.raise();
-        for (const auto &hooks : experiment_.hooks) {
-            try {
-                hooks->try_out();
-            } catch (const InputError &error) {
-                problems_.add(error.what());
+        for (const auto *all : {&experiment_.hooks, &start_hooks_})
+            for (const auto &hooks : *all) {
+                try {
+                    hooks->try_out();
+                } catch (const InputError &error) {
+                    problems_.add(error.what());
+                }
             }
-        }
         problems_.raise();
         return std::move(experiment_);
     }
@@ -116,6 +118,7 @@ class Schema {
             spec.actuation_range = world.actuation_range;
         }
         read_hooks(reader, spec);
+        read_start(reader, spec);
         // Rules between the parts, once each part is right.
         if (problems_.count() == problems_before)
             check_at(reader.place(), problems_, [&] { check_spec(spec); });
@@ -164,6 +167,21 @@ class Schema {
         experiment_.hooks.back() = std::move(hooks);
     }
 
+    // How generation 0 is evolved before the run, if the setting says so.
+    void read_start(Reader &reader, Spec &spec) {
+        const Value *table = reader.field("start", Value::Kind::table, false);
+        if (!table) return;
+        Reader of_start(*table, reader.at("start"), start_keys, problems_);
+        spec.start.emplace();
+        spec.start->generations = of_start.whole("generations");
+        spec.start->judge = [](const Life &) { return Evaluation{}; };
+        if (!of_start.field("behaviour", Value::Kind::function, true) || !experiment_.hooks.back()) return;
+        const auto index = static_cast<int>(experiment_.settings.size() - 1);
+        auto hooks = std::make_shared<Hooks>(experiment_.sources, index, spec.parameters, Stage::growth);
+        spec.start->judge = [hooks](const Life &life) { return hooks->judge(life); };
+        start_hooks_.push_back(std::move(hooks));
+    }
+
     void read_statistics_of(Reader &reader) {
         // Claims name settings: they are read once these are right.
         if (problems_.count() > 0) return;
@@ -190,6 +208,7 @@ class Schema {
     const Overrides &overrides_;
     Problems problems_;
     Experiment experiment_;
+    std::vector<std::shared_ptr<Hooks>> start_hooks_;
     Parameters design_; // of the first setting, as the script states them
 };
 

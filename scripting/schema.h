@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 // From an experiment file to what the core understands. The file returns a table:
 //
-//   name, title       of the experiment
-//   actuation         "oscillator" or "grn"
-//   search            a name of make_search(): "neat", "novelty", "nsga2", "nslc", "map-elites"
-//   engine            a name of make_engine(): "native" (if not given), "bullet"
-//   environment       {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y},
-//                     actuation_range}
-//   parameters        {name = value}: departures from the standard values
-//   fitness, penalty, behaviour
-//                     functions (scripting/hooks.h)
-//   statistics        a table, or the name of a module that returns one (scripting/schema_statistics.h)
-//   sensitivity       a table (scripting/schema_sensitivity.h)
-//   settings          instead of actuation … behaviour: a list of tables with a name, a title and these
-//                     keys; `parameters` beside `settings` holds for all of them
+// - name, title: of the experiment
+// - actuation: "oscillator" or "grn"
+// - search: a name of make_search(): "neat", "novelty", "nsga2", "nslc", "map-elites"
+// - engine: a name of make_engine(): "native" (if not given), "bullet"
+// - environment: {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y}, actuation_range}
+// - parameters: {name = value}, departures from the standard values
+// - fitness, penalty, behaviour: functions (scripting/hooks.h)
+// - start: {generations, behaviour}, if generation 0 is evolved by growth alone (experiment/start.h)
+// - statistics: a table, or the name of a module that returns one (scripting/schema_statistics.h)
+// - sensitivity: a table (scripting/schema_sensitivity.h)
+// - settings: instead of actuation … start, a list of tables with a name, a title and these keys;
+//   `parameters` beside `settings` holds for all of them
 //
 // A number of an environment may be the name of a parameter, which then stands for its value. Every unknown
 // key, wrong kind and broken rule is reported, all together, each with its line and the nearest name.

@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t {
     reproduction = 2,
     bootstrap = 3,
     sampling = 4,
+    start = 5,
 };
 
 /// One block of Philox4x32-10: 128 random bits of a 128-bit counter and a 64-bit key.

@@ -72,4 +72,9 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     return life;
 }
 
+Life develop(const Genome &genome, const Conditions &conditions) {
+    const Network network = express(genome, conditions.parameters.propagation_limit);
+    return life_of(grow(network, conditions.actuation, conditions.parameters));
+}
+
 } // namespace planula

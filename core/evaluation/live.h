@@ -27,4 +27,8 @@ struct Watch {
 
 Life live(const Genome &genome, const Conditions &conditions, const Watch &watch = {});
 
+/// A life that ends with development: what growth alone decides, as live() would say it. It has no place and
+/// no distance, and is viable if a body was born.
+Life develop(const Genome &genome, const Conditions &conditions);
+
 } // namespace planula

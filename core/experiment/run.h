@@ -5,7 +5,7 @@
 #pragma once
 
 #include "evolution/search.h"
-#include "experiment/spec.h"
+#include "experiment/lives.h"
 
 #include <cstdint>
 #include <functional>
@@ -36,11 +36,11 @@ struct RunState {
 using Observer = std::function<void(const Generation &)>;
 /// Shown the state after each generation but the last.
 using Between = std::function<void(const RunState &)>;
-/// Asked before each generation and between evaluations; true ends the run with Stopped.
-using StopRequest = std::function<bool()>;
 
-/// The state before generation 0.
-RunState begin(const Spec &spec, std::uint64_t seed);
+/// The state before generation 0. Where the setting evolves that one first, this takes time and may end with
+/// Stopped.
+RunState begin(
+    const Spec &spec, std::uint64_t seed, int threads = 1, const StopRequest &stop = [] { return false; });
 
 /// Runs the setting's generations from this state on. The results depend on (spec, seed) alone, not on
 /// `threads` nor on how the state came here. If it ends with Stopped, the state is that before the generation

@@ -34,6 +34,10 @@ void check_spec(const Spec &spec) {
         throw InputError("actuation_range is between 0 and 0.9 rest lengths, not " +
                          to_text(spec.actuation_range));
     if (!spec.judge) throw InputError("setting " + spec.name + " has no fitness, penalty and behaviour");
+    if (spec.start && spec.start->generations < 1)
+        throw InputError("start takes at least 1 generation, not " + to_text(spec.start->generations));
+    if (spec.start && !spec.start->judge)
+        throw InputError("the start of setting " + spec.name + " has no behaviour");
     make_search(spec.search, spec.parameters);
     make_engine(spec.engine);
     check_environment(spec.environment);

@@ -8,6 +8,7 @@
 #include "evolution/population.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,19 +17,27 @@ namespace planula {
 /// The experiment's judgement of a finished life: fitness, behaviour and penalty (Eqs. 4 and 6).
 using Judge = std::function<Evaluation(const Life &)>;
 
+/// How generation 0 is evolved before the run: by so many generations of novelty search on growth alone. The
+/// judge is shown lives that end with development; their fitness is not read.
+struct Start {
+    int generations = 1;
+    Judge judge;
+};
+
 /// The conditions of every life, and how evolution goes. `parameters` hold population, generations and all else.
 struct Spec : Conditions {
     std::string name;            // of the setting: file-name characters, unique in its experiment
     std::string title;           // for people
     std::string search = "neat"; // a name of make_search()
     Judge judge;                 // called on the main thread, in slot order
+    std::optional<Start> start;  // none: generation 0 is random
 };
 
 /// The networks that animats with this actuation have.
 NetworkShape shape_of(Actuation actuation);
 
 /// Throws InputError with the rule and the value: an empty or unsafe name, an unknown search or engine, a
-/// bad environment, inconsistent parameters, a range outside 0 … 0.9, no judge.
+/// bad environment, inconsistent parameters, a range outside 0 … 0.9, no judge, an empty start.
 void check_spec(const Spec &spec);
 
 } // namespace planula

@@ -46,6 +46,9 @@ BOOST_AUTO_TEST_CASE(anything_that_decides_results_changes_the_resolved_text) {
     BOOST_TEST(base == resolved("{ name = 'x' }"));
     BOOST_TEST(base != resolved("{ name = 'x' }", {{"population", 17}}));
     BOOST_TEST(base != resolved("{ name = 'x', search = 'novelty' }"));
+    BOOST_TEST(resolved("{ name = 'x', start = { generations = 3, behaviour = paper.judgement.behaviour } }")
+                   .find("start = { generations = 3 }") != std::string::npos);
+    BOOST_TEST(base.find("start =") == std::string::npos);
     BOOST_TEST(base != resolved("{ name = 'x', actuation = 'grn' }"));
     BOOST_TEST(base != resolved("{ name = 'x', environment = paper.aquatic { flow = { x = 1, y = 0 } } }"));
     BOOST_TEST(base != resolved("{ name = 'x', fitness = function() return 1 end }"));

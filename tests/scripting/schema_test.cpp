@@ -191,6 +191,69 @@ BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {
                               "test.lua:3: no module 'paper.statistic'"));
 }
 
+BOOST_AUTO_TEST_CASE(every_search_is_one_line) {
+    for (const std::string search : {"neat", "novelty", "nsga2", "nslc", "map-elites"})
+        BOOST_TEST(experiment("return paper.experiment { name = 'x', search = '" + search + "' }")
+                       .settings[0]
+                       .search == search);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_is_generations_and_the_behaviour_of_bodies) {
+    BOOST_TEST(!experiment("return paper.experiment { name = 'x' }").settings[0].start.has_value());
+    const Experiment e =
+        experiment("return paper.experiment { name = 'x', start = { generations = 7, behaviour = "
+                   "function(life, parameters) return { life.cells, parameters.cell_limit } end } }");
+    const Spec &spec = e.settings[0];
+    BOOST_REQUIRE(spec.start.has_value());
+    BOOST_TEST(spec.start->generations == 7);
+    Life grown;
+    grown.outcome = Outcome::viable;
+    grown.cells = 20;
+    BOOST_TEST((spec.start->judge(grown) == Evaluation{0, {20, 256}, 1}));
+    BOOST_TEST((spec.judge(grown).behaviour == std::vector<double>{0, 0})); // the run's own is the paper's
+    grown.outcome = Outcome::too_small;
+    BOOST_TEST(!spec.start->judge(grown).valid());
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
+    const std::string behaviour = "behaviour = function(life) return { life.cells } end";
+    const auto start = [&](const std::string &fields) { return refused_body("start = { " + fields + " }"); };
+    BOOST_TEST(test::contains(start(behaviour), "start takes at least 1 generation, not 0"));
+    BOOST_TEST(test::contains(start("generations = -1, " + behaviour), "must be a whole number"));
+    BOOST_TEST(test::contains(start("generations = 2"), "behaviour is missing"));
+    BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));
+    // Bodies that have not moved have no path.
+    BOOST_TEST(test::contains(
+        start("generations = 2, behaviour = function(life) return { life.path[1].x } end"), "test.lua:3"));
+}
+
+BOOST_AUTO_TEST_CASE(the_descriptors_are_what_they_say) {
+    const auto described = [](const std::string &name, const Life &life) {
+        const Experiment e =
+            experiment("return paper.experiment { name = 'x', search = 'map-elites', behaviour "
+                       "= require('descriptors')." +
+                       name + " }");
+        return e.settings[0].judge(life).behaviour;
+    };
+    Life life;
+    life.outcome = Outcome::viable;
+    life.cells = 40, life.links = 90, life.elongation = 3;
+    // Sixteenths of a turn: right, up, left, down, and a hair below right.
+    for (const auto &[moved, sixteenth] : {std::pair{Vec2d{2, 0}, 0.0},
+                                           {Vec2d{0, 3}, 4.0},
+                                           {Vec2d{-1, 0}, 8.0},
+                                           {Vec2d{0, -1}, 12.0},
+                                           {Vec2d{1, -1e-300}, 0.0}}) {
+        life.end = moved;
+        BOOST_TEST((described("size_and_direction", life) == std::vector<double>{2.5, sixteenth}));
+    }
+    life.rest = {1, 1}, life.end = {1, 3};
+    BOOST_TEST((described("size_and_direction", life) == std::vector<double>{2.5, 4}));
+    BOOST_TEST((described("shape", life) == std::vector<double>{2.5, 3, 9}));
+    life.elongation = 0; // no width at all
+    BOOST_TEST((described("shape", life) == std::vector<double>{2.5, 8, 9}));
+}
+
 BOOST_AUTO_TEST_CASE(every_experiment_file_passes_its_check) {
     for (const auto &file : test::experiment_files()) {
         Experiment e;

@@ -50,6 +50,19 @@ BOOST_AUTO_TEST_CASE(a_lump_that_beats_grows_and_moves_in_all_four_settings) {
         }
 }
 
+BOOST_AUTO_TEST_CASE(development_alone_says_of_a_body_what_the_whole_life_says) {
+    for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
+        const Genome genome = lump_genome(actuation, 6);
+        const Life grown = develop(genome, conditions(actuation, true)),
+                   whole = lived(genome, actuation, true);
+        BOOST_TEST((grown.outcome == Outcome::viable && grown.cells == whole.cells));
+        BOOST_TEST((grown.largest == whole.largest && grown.births == whole.births));
+        BOOST_TEST((grown.links == whole.links && grown.triangles == whole.triangles));
+        BOOST_TEST(grown.elongation == whole.elongation);
+        BOOST_TEST((grown.displacement() == 0 && grown.path.empty() && grown.settle_steps == 0));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_body_without_muscles_ends_where_it_starts) {
     // MODEL: what nothing moves moves less than 1e-3 cells; pressure is rounded at each corner of a triangle.
     Genome still = lump_genome(Actuation::grn, 6);

@@ -8,12 +8,13 @@
 #include <boost/test/unit_test.hpp>
 
 #include <set>
+#include <string_view>
 
 using namespace planula;
 
 namespace {
 
-Spec small(const std::string &search, Actuation actuation = Actuation::oscillator) {
+Spec small(std::string_view search, Actuation actuation = Actuation::oscillator) {
     Spec spec;
     spec.name = "small";
     spec.actuation = actuation;
@@ -39,12 +40,13 @@ std::string signature(const Spec &spec, std::uint64_t seed, int threads) {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_run_is_a_function_of_its_seed_for_any_number_of_threads) {
-    for (const std::string search : {"neat", "novelty"}) {
+    std::set<std::string> signatures;
+    for (const std::string_view search : search_names()) {
         const std::string one = signature(small(search), 1, 1);
-        for (const int threads : {2, 3, 7}) BOOST_TEST(signature(small(search), 1, threads) == one);
+        BOOST_TEST(signatures.insert(one).second); // every search goes its own way
+        for (const int threads : {2, 7}) BOOST_TEST(signature(small(search), 1, threads) == one);
         BOOST_TEST(signature(small(search), 2, 2) != one);
     }
-    BOOST_TEST(signature(small("neat"), 1, 2) != signature(small("novelty"), 1, 2));
 }
 
 BOOST_AUTO_TEST_CASE(every_generation_is_observed_once_and_complete) {

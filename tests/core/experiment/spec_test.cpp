@@ -47,6 +47,12 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_setting_is_said) {
     Spec mute = good();
     mute.judge = nullptr;
     refused(mute, "no fitness");
+    Spec unborn = good();
+    unborn.start.emplace();
+    unborn.start->generations = 0;
+    refused(unborn, "start takes at least 1 generation, not 0");
+    unborn.start->generations = 1;
+    refused(unborn, "has no behaviour");
     Spec inconsistent = good();
     inconsistent.parameters.period_shortest = 500;
     refused(inconsistent, "period_shortest");

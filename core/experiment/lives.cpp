@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/lives.h"
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/text.h"
+
+#include <cmath>
+
+namespace planula {
+
+std::vector<Life> live_all(const Population &population, const Living &living, int threads,
+                           const StopRequest &stop) {
+    std::vector<Life> lives(population.genomes.size());
+    parallel_for(static_cast<int>(lives.size()), threads, [&](int slot) {
+        if (stop()) throw Stopped("stopped in generation " + to_text(population.generation));
+        lives[slot] = living(population.genomes[slot]);
+    });
+    return lives;
+}
+
+std::vector<Evaluation> judge_all(const Judge &judge, std::span<const Life> lives) {
+    std::vector<Evaluation> evaluations;
+    for (const Life &life : lives) {
+        evaluations.push_back(judge(life));
+        const Evaluation &e = evaluations.back();
+        CHECK(std::isfinite(e.fitness) && e.fitness >= 0, e.fitness);
+        CHECK(e.penalty >= 0 && e.penalty <= 1, e.penalty);
+    }
+    return evaluations;
+}
+
+} // namespace planula

@@ -1,0 +1,13 @@
+-- SPDX-License-Identifier: MIT
+-- Local competition: animats compete with those that are shaped alike, so that small and large, slender and round ones are
+-- all improved. Which ones are alike is the descriptor's to say.
+local paper = require "paper"
+local descriptors = require "descriptors"
+
+return paper.experiment {
+  name = "local-competition",
+  title = "Novelty of shape with local competition",
+  search = "nslc",
+  environment = paper.terrestrial(),
+  behaviour = descriptors.shape,
+}
