@@ -27,6 +27,7 @@ class MapElitesSearch final : public Search {
     /// As long as there is no elite, parents are drawn from the population.
     Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
                     std::uint64_t seed) const override;
+    std::span<const Genome> kept_genomes() const override { return elites_.genomes; }
     bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_; }
     void save(StateWriter &writer) const override;

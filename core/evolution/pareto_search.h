@@ -24,6 +24,7 @@ class ParetoSearch : public Search {
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
     Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
                     std::uint64_t seed) const override;
+    std::span<const Genome> kept_genomes() const override { return kept_.genomes; }
     bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_.entries(); }
     double archive_threshold() const override { return archive_.threshold(); }

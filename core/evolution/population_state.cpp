@@ -70,7 +70,19 @@ void load_all_species(Population &population, StateReader &reader) {
     if (marked > 1) reader.refuse("two species hold the mark of the best");
 }
 
-/// What the genome alone cannot say: that it has this shape and is of this run.
+void load_genomes(const NetworkShape &shape, int size, Population &population, StateReader &reader) {
+    std::set<std::int64_t> ids;
+    if (reader.count() != static_cast<std::size_t>(size))
+        reader.refuse("the population has not the setting's size of " + to_text(size));
+    for (int slot = 0; slot < size; ++slot) {
+        population.genomes.push_back(load_genome(reader));
+        check_member(population.genomes.back(), shape, population, reader);
+        if (!ids.insert(population.genomes.back().id).second) reader.refuse("two genomes have one id");
+    }
+}
+
+} // namespace
+
 void check_member(const Genome &genome, const NetworkShape &shape, Population &population,
                   const StateReader &reader) {
     if (genome.inputs != shape.inputs || genome.outputs != shape.outputs)
@@ -88,19 +100,6 @@ void check_member(const Genome &genome, const NetworkShape &shape, Population &p
             reader.refuse("a link of a network without recurrence does not climb");
     }
 }
-
-void load_genomes(const NetworkShape &shape, int size, Population &population, StateReader &reader) {
-    std::set<std::int64_t> ids;
-    if (reader.count() != static_cast<std::size_t>(size))
-        reader.refuse("the population has not the setting's size of " + to_text(size));
-    for (int slot = 0; slot < size; ++slot) {
-        population.genomes.push_back(load_genome(reader));
-        check_member(population.genomes.back(), shape, population, reader);
-        if (!ids.insert(population.genomes.back().id).second) reader.refuse("two genomes have one id");
-    }
-}
-
-} // namespace
 
 void save(const Population &population, StateWriter &writer) {
     CHECK(is_settled(population), population.generation);

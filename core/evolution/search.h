@@ -29,6 +29,8 @@ class Search {
     virtual Population next(const Population &population, std::span<const double> scores,
                             const NetworkShape &shape, std::uint64_t seed) const = 0;
 
+    /// Those of earlier generations that may still have children.
+    virtual std::span<const Genome> kept_genomes() const { return {}; }
     /// Whether the search has an archive.
     virtual bool keeps_archive() const { return false; }
     /// The archive so far, in order of entry; it only grows.

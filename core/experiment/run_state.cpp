@@ -11,9 +11,12 @@ void save(const RunState &state, StateWriter &writer) {
 }
 
 RunState load_run_state(const Spec &spec, StateReader &reader) {
-    RunState state{load_population(shape_of(spec.actuation), spec.parameters, reader),
+    const NetworkShape shape = shape_of(spec.actuation);
+    RunState state{load_population(shape, spec.parameters, reader),
                    make_search(spec.search, spec.parameters)};
     state.search->load(reader);
+    for (const Genome &genome : state.search->kept_genomes())
+        check_member(genome, shape, state.population, reader);
     return state;
 }
 

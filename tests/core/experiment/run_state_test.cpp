@@ -72,6 +72,37 @@ BOOST_AUTO_TEST_CASE(a_run_stopped_anywhere_and_loaded_goes_on_to_the_same_resul
         }
 }
 
+BOOST_AUTO_TEST_CASE(searches_that_keep_individuals_go_on_with_them) {
+    for (const std::string search : {"nsga2", "nslc", "map-elites"}) {
+        const Spec spec = small(search, Actuation::oscillator);
+        BOOST_TEST(signature(spec, 11) == signature(spec, 1'000'000));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(individuals_kept_from_another_run_are_refused) {
+    for (const std::string search : {"nsga2", "map-elites"}) {
+        // Two runs, stopped after one generation and after three.
+        const auto stopped = [&](const Spec &spec, int generations) {
+            RunState state = begin(spec, seed);
+            const auto stop = [&] { return state.population.generation == generations; };
+            BOOST_CHECK_THROW(
+                run(
+                    spec, seed, 1, state, [](const Generation &) {}, [](const RunState &) {}, stop),
+                Stopped);
+            return state;
+        };
+        const Spec spec = small(search, Actuation::oscillator);
+        RunState early = stopped(spec, 1), late = stopped(spec, 3);
+        RunState other = stopped(small(search, Actuation::grn), 1);
+        BOOST_TEST(late.search->kept_genomes().size() > 0u);
+        loaded(spec, saved(early));
+        early.search.swap(late.search); // genomes that are not born yet
+        BOOST_CHECK_THROW(loaded(spec, saved(early)), InputError);
+        early.search.swap(other.search); // of another shape
+        BOOST_CHECK_THROW(loaded(spec, saved(early)), InputError);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_stop_leaves_the_state_before_the_abandoned_generation) {
     const Spec spec = small("novelty", Actuation::oscillator);
     RunState state = begin(spec, seed);
