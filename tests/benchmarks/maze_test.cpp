@@ -121,6 +121,11 @@ BOOST_AUTO_TEST_CASE(a_robot_stops_before_a_wall_but_can_turn_away) {
     BOOST_TEST(robot.place.y == 50);
     for (int step = 0; step < 60; ++step) robot = moved(square, robot, 0.5, 0);
     BOOST_TEST(robot.place.x < 80);
+
+    // It may come as near as its radius.
+    const Robot near = moved(square, {{91.5, 50}}, 0, 0.5);
+    BOOST_TEST(near.place.x == 92);
+    BOOST_TEST(moved(square, {{91.75, 50}}, 0, 0.5).place.x == 91.75);
 }
 
 BOOST_AUTO_TEST_CASE(a_journey_ends_at_the_goal_or_after_four_hundred_steps) {

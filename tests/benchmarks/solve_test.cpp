@@ -7,6 +7,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <set>
 
 using namespace planula;
@@ -50,18 +51,21 @@ BOOST_AUTO_TEST_CASE(a_run_gives_up_after_its_generations) {
 }
 
 BOOST_AUTO_TEST_CASE(only_new_champions_are_examined) {
-    std::vector<std::int64_t> examined;
-    Task task{"examined", {2, 1, false}, [](const Genome &genome) {
-                  return Attempt{genome.links.empty() ? 0 : genome.links[0].weight + 9, {0}, false};
+    // Fitness rises in steps, and a champion stays for some generations.
+    const auto step_of = [](const Genome &genome) { return std::floor(2 * genome.links[0].weight) + 20; };
+    std::vector<double> examined;
+    Task task{"examined", {2, 1, false}, [&](const Genome &genome) {
+                  return Attempt{step_of(genome), {0}, false};
               }};
     task.examine = [&](const Genome &genome) {
-        examined.push_back(genome.id);
+        examined.push_back(step_of(genome));
         return examined.size() == 4;
     };
     const Solution solution = solve(task, "neat", few(), 1, 200);
     BOOST_TEST(solution.solved);
     BOOST_TEST(examined.size() == 4u);
-    BOOST_TEST(std::set<std::int64_t>(examined.begin(), examined.end()).size() == 4u);
+    BOOST_TEST(std::set<double>(examined.begin(), examined.end()).size() == 4u);
+    BOOST_TEST(solution.generations > 4);
     BOOST_TEST(solution.evaluations == 20 * solution.generations); // examinations do not count
 }
 
