@@ -20,7 +20,8 @@ class Connection {
 
     /// Of new cells.
     void start(std::span<const Vec2d> positions);
-    /// Of the same cells at new, finite places. False if it must be started anew; then cells may coincide.
+    /// Of the same cells at new, finite places, and any number of cells more. False if it must be started
+    /// anew; then cells may coincide.
     bool follow(std::span<const Vec2d> positions);
 
     const Mesh &mesh() const { return mesh_; }

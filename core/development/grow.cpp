@@ -80,11 +80,11 @@ void take_mesh(const Mesh &mesh, Embryo &embryo) {
     embryo.neighbours = neighbours(embryo.mesh, static_cast<int>(embryo.cells.size()));
 }
 
-/// The neighbourhood at the cells' present places; `same_cells` as at the last refresh? Returns whether they
-/// can be triangulated.
-bool refresh(bool same_cells, Connection &connection, Embryo &embryo) {
+/// The neighbourhood at the cells' present places, for which those of the last refresh must all live. Returns
+/// whether they can be triangulated.
+bool refresh(bool all_live, Connection &connection, Embryo &embryo) {
     const std::vector<Vec2d> places = positions(embryo);
-    if (!same_cells || !all_finite(places) || !connection.follow(places)) {
+    if (!all_live || !all_finite(places) || !connection.follow(places)) {
         if (!is_sound(places)) return false;
         connection.start(places);
     }
@@ -96,19 +96,18 @@ bool refresh(bool same_cells, Connection &connection, Embryo &embryo) {
 Outcome develop(const Network &network, Actuation actuation, const Parameters &parameters,
                 const GrowthWatch &watch, Embryo &embryo) {
     Connection connection(parameters.link_limit * 2 * parameters.cell_radius);
-    bool same_cells = false; // as at the last refresh
+    bool all_live = false; // the cells of the last refresh
     for (int step = 0; step < parameters.development_steps; ++step) {
         if (step % parameters.decision_interval == 0) {
             const double time = static_cast<double>(step) / parameters.development_steps;
-            const int births = embryo.births;
-            const std::size_t cells = embryo.cells.size();
+            const std::size_t dead = embryo.births - embryo.cells.size();
             const Outcome outcome = decide(network, actuation, time, parameters, embryo);
             if (outcome != Outcome::viable) return outcome;
-            same_cells = same_cells && embryo.births == births && embryo.cells.size() == cells;
+            all_live = all_live && embryo.births - embryo.cells.size() == dead;
         }
         if (step % parameters.neighbourhood_interval == 0) {
-            if (!refresh(same_cells, connection, embryo)) return Outcome::exploded;
-            same_cells = true;
+            if (!refresh(all_live, connection, embryo)) return Outcome::exploded;
+            all_live = true;
         }
         if (watch) watch(step, positions(embryo), embryo.mesh.links);
         relax(parameters, embryo);

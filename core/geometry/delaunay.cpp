@@ -33,36 +33,35 @@ Delaunay triangulated(std::span<const Vec2d> points) {
     return mesh;
 }
 
-/// Edges and faces with indices instead of handles, in one order for all. Indices are packed into one number
-/// while they are sorted.
+/// Indices packed into one number, in whose order they are sorted: the first counts most.
+constexpr int digit_bits = 21;
+int digit(std::uint64_t key, int place) {
+    return static_cast<int>(key >> (place * digit_bits) & ((1u << digit_bits) - 1));
+}
+std::uint64_t pack(int a, int b) { return static_cast<std::uint64_t>(a) << digit_bits | b; }
+
+/// Edges and faces with indices instead of handles, in one order for all.
 Triangulation indexed(const Delaunay &mesh) {
-    constexpr std::uint64_t base = std::uint64_t{1} << 21;
-    const auto unpacked = [](std::uint64_t key, int digit) {
-        for (int i = 0; i < digit; ++i) key /= base;
-        return static_cast<int>(key % base);
-    };
-    CHECK(mesh.number_of_vertices() < base);
-    Triangulation result;
-    std::vector<std::uint64_t> keys;
+    CHECK(mesh.number_of_vertices() < 1u << digit_bits);
+    std::vector<std::uint64_t> edges, faces;
+    edges.reserve(3 * mesh.number_of_vertices()), faces.reserve(2 * mesh.number_of_vertices());
     for (auto edge = mesh.finite_edges_begin(); edge != mesh.finite_edges_end(); ++edge) {
         const int a = edge->first->vertex(mesh.cw(edge->second))->info();
         const int b = edge->first->vertex(mesh.ccw(edge->second))->info();
-        keys.push_back(std::min(a, b) * base + std::max(a, b));
+        edges.push_back(pack(std::min(a, b), std::max(a, b)));
     }
-    std::sort(keys.begin(), keys.end());
-    result.edges.reserve(keys.size());
-    for (const std::uint64_t key : keys) result.edges.push_back({unpacked(key, 1), unpacked(key, 0)});
-
-    keys.clear();
     for (auto face = mesh.finite_faces_begin(); face != mesh.finite_faces_end(); ++face) {
         std::array<int, 3> corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
         std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-        keys.push_back((corners[0] * base + corners[1]) * base + corners[2]);
+        faces.push_back(pack(corners[0], corners[1]) << digit_bits | corners[2]);
     }
-    std::sort(keys.begin(), keys.end());
-    result.faces.reserve(keys.size());
-    for (const std::uint64_t key : keys)
-        result.faces.push_back({unpacked(key, 2), unpacked(key, 1), unpacked(key, 0)});
+
+    std::sort(edges.begin(), edges.end());
+    std::sort(faces.begin(), faces.end());
+    Triangulation result;
+    result.edges.reserve(edges.size()), result.faces.reserve(faces.size());
+    for (const auto key : edges) result.edges.push_back({digit(key, 1), digit(key, 0)});
+    for (const auto key : faces) result.faces.push_back({digit(key, 2), digit(key, 1), digit(key, 0)});
     return result;
 }
 
@@ -128,12 +127,21 @@ void MovingDelaunay::start(std::span<const Vec2d> points) {
 
 bool MovingDelaunay::follow(std::span<const Vec2d> points) {
     if (!mesh_ || mesh_->mesh.dimension() != 2) return false;
-    CHECK(points.size() == mesh_->vertices.size(), points.size(), mesh_->vertices.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        mesh_->vertices[i]->set_point(Point(points[i].x, points[i].y));
-    if (!is_plane(mesh_->mesh)) return false;
-    changed_ = mend(mesh_->mesh);
-    if (changed_) now_ = indexed(mesh_->mesh);
+    auto &[mesh, vertices] = *mesh_;
+    CHECK(points.size() >= vertices.size(), points.size(), vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i]->set_point(Point(points[i].x, points[i].y));
+    if (!is_plane(mesh)) return false;
+    changed_ = mend(mesh);
+
+    // New points, one by one; the last one's face is near the next as likely as any.
+    for (std::size_t i = vertices.size(); i < points.size(); ++i) {
+        const auto vertex = mesh.insert(Point(points[i].x, points[i].y), vertices.back()->face());
+        if (mesh.number_of_vertices() != i + 1) return false;
+        vertex->info() = static_cast<int>(i);
+        vertices.push_back(vertex);
+        changed_ = true;
+    }
+    if (changed_) now_ = indexed(mesh);
     return true;
 }
 

@@ -30,9 +30,9 @@ class MovingDelaunay {
 
     /// Of new points; as delaunay().
     void start(std::span<const Vec2d> points);
-    /// The same points at new, finite places: as delaunay() of them, sooner. False if a face or the hull has
-    /// turned over or there are no faces, so that it must be started again; then points may coincide, else
-    /// they do not.
+    /// The same points at new, finite places, and any number of points more: as delaunay() of them, sooner.
+    /// False if a face or the hull has turned over, there are no faces or a new point coincides with another,
+    /// so that it must be started again; then points may coincide, else they do not.
     bool follow(std::span<const Vec2d> points);
 
     const Triangulation &now() const { return now_; }

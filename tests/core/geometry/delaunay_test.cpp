@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(points_that_would_be_lost_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) {
-    // A cloud that jitters: mostly kept or flipped, sometimes begun again.
+    // A cloud that jitters and grows, inside and over its hull: mostly kept or flipped, sometimes begun again.
     for (const double pace : {0.002, 0.02, 0.2}) {
         Stream stream(7, 0, 0, Purpose::sampling);
         std::vector<Vec2d> points = scatter(100, 3);
@@ -90,6 +90,10 @@ BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) 
         int followed = 0, changed = 0;
         for (int t = 0; t < 200; ++t) {
             for (auto &[x, y] : points) x += pace * stream.triangular(), y += pace * stream.triangular();
+            for (int born = 0; t % 20 == 0 && born < 3; ++born) {
+                points.emplace_back();
+                points.back().x = 12 * stream.uniform() - 1, points.back().y = 12 * stream.uniform() - 1;
+            }
             const bool could = moving.follow(points);
             if (!could) moving.start(points);
             followed += could, changed += could && moving.has_changed();
@@ -97,8 +101,8 @@ BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) 
             BOOST_REQUIRE((moving.now().edges == anew.edges));
             BOOST_REQUIRE((moving.now().faces == anew.faces));
         }
-        BOOST_TEST(followed > (pace < 0.1 ? 100 : 5), pace << ": " << followed);
-        BOOST_TEST(changed > (pace < 0.01 ? 10 : 5), pace << ": " << changed);
+        BOOST_TEST(followed > (pace < 0.1 ? 100 : 0), pace << ": " << followed);
+        BOOST_TEST(changed > (pace < 0.1 ? 5 : 0), pace << ": " << changed);
     }
 }
 
@@ -133,6 +137,10 @@ BOOST_AUTO_TEST_CASE(a_hull_that_turns_inwards_and_points_on_one_line_cannot_be_
     moving.start(square);
     BOOST_TEST(moving.follow(square));
     BOOST_TEST(!moving.has_changed());
+    std::vector<Vec2d> doubled = square;
+    doubled.push_back(square[2]);
+    BOOST_TEST(!moving.follow(doubled));
+    moving.start(square);
     square[1] = {0.95, 1.05}; // the hull goes from 0 to 2 now
     BOOST_TEST(!moving.follow(square));
     const std::vector<Vec2d> line{{0, 0}, {1, 1}, {2, 2}};
