@@ -5,7 +5,7 @@
 #   signature.sh PROGRAM          this program, as it is
 #   signature.sh --alternative    one more build: by clang++ where there is one, else by g++ without optimisation
 #   signature.sh --all            each compiler × {-O0, -O3} × {1, 2, 3, 7 threads} × {this processor, one whose libc
-#                                 sees neither AVX2 nor FMA}
+#                                 sees neither AVX2 nor FMA}, and each width of lanes
 #
 # Prints one line per cell of that table and a last one that counts; fails if a cell differs.
 set -euo pipefail
@@ -54,6 +54,11 @@ case ${1-} in
             command -v "$compiler" > /dev/null || { echo "signature: $compiler is not installed, left out"; continue; }
             for level in -O0 -O3; do
                 program=$(build "$compiler" "$level")
+                for lanes in scalar sse2 avx2; do
+                    # A processor that lacks these lanes says so.
+                    "$program" signature --lanes "$lanes" --script /dev/null 2>&1 | grep -q 'no lanes' ||
+                        cell "$compiler $level, $lanes" "$program" signature --script "$script" --lanes "$lanes"
+                done
                 for threads in 1 2 3 7; do
                     cell "$compiler $level, $threads threads" "$program" signature --script "$script" --threads "$threads"
                     cell "$compiler $level, $threads threads, no AVX2, no FMA" \
