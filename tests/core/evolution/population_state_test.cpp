@@ -2,6 +2,7 @@
 #include "evolution/population_state.h"
 
 #include "base/error.h"
+#include "base/random.h"
 #include "core/evolution/populations.h"
 #include "evolution/reproduce.h"
 
@@ -120,6 +121,34 @@ BOOST_AUTO_TEST_CASE(a_population_that_contradicts_itself_or_the_setting_is_refu
         p.genomes.pop_back();
         p.species.pop_back();
     });
+}
+
+BOOST_AUTO_TEST_CASE(any_damage_is_refused_or_leaves_a_population_that_can_breed) {
+    const NetworkShape shape{3, 2, false};
+    const Parameters parameters = small();
+    Population population = initial_population(shape, parameters, seed);
+    evolve(6, shape, parameters, population);
+    const std::string whole = saved(population);
+    Stream stream(9, 0, 0, Purpose::sampling);
+    int refused = 0, bred = 0;
+    for (int i = 0; i < 1500; ++i) {
+        // A bit, a byte, or a whole number that is as large as can be.
+        std::string bytes = whole;
+        const std::size_t at = stream.below(static_cast<std::uint32_t>(bytes.size() / 8)) * 8;
+        const std::uint32_t kind = stream.below(3);
+        if (kind == 0) bytes[at + stream.below(8)] ^= static_cast<char>(1 << stream.below(8));
+        if (kind == 1) bytes[at] = static_cast<char>(stream.below(256));
+        if (kind == 2) bytes.replace(at, 8, std::string(7, '\xff') + '\x7f');
+        try {
+            Population damaged = loaded(bytes, shape, parameters);
+            evolve(1, shape, parameters, damaged);
+            ++bred;
+        } catch (const InputError &) {
+            ++refused;
+        }
+    }
+    BOOST_TEST(refused > 300);
+    BOOST_TEST(bred > 100);
 }
 
 BOOST_AUTO_TEST_CASE(a_population_that_is_not_settled_is_not_saved) {
