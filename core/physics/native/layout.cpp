@@ -78,44 +78,53 @@ SoftBodyModel renumbered(const SoftBodyModel &model, const std::vector<int> &nod
     return result;
 }
 
-} // namespace
-
-Layout lay_out(const SoftBodyModel &model) {
-    // The order of nodes, twins included, and its inverse.
-    const std::vector<Fan> fan = fans(model);
+/// The order of nodes, twins included.
+void order_nodes(const SoftBodyModel &model, const std::vector<Fan> &fan, Layout &layout) {
     std::vector<char> on_outline(fan.size());
     for (const OutlineLink &link : model.outline) on_outline[link.a] = on_outline[link.b] = 1;
-    Layout layout{.nodes = model.nodes()};
+    layout.nodes = model.nodes();
+    layout.first_outline_node =
+        layout.nodes - static_cast<int>(std::count(on_outline.begin(), on_outline.end(), 1));
     layout.cell_of.resize(fan.size());
     std::iota(layout.cell_of.begin(), layout.cell_of.end(), 0);
     std::stable_sort(layout.cell_of.begin(), layout.cell_of.end(), [&](int a, int b) {
         return std::pair(on_outline[a], fan[a].size()) < std::pair(on_outline[b], fan[b].size());
     });
+    while (layout.cell_of.size() % group_size != 0) layout.cell_of.push_back(layout.cell_of.back());
+}
+
+/// The next eight nodes: as many slots as the largest of their fans needs.
+void add_group(const SoftBodyModel &model, const std::vector<Fan> &fan, const std::vector<int> &node_of,
+               Layout &layout) {
+    const int start = static_cast<int>(layout.groups.size()) * group_size;
+    Group group{.first_slot = static_cast<int>(layout.slots.size())};
+    for (int lane = 0; lane < group_size; ++lane)
+        group.slots = std::max(group.slots, static_cast<int>(fan[layout.cell_of[start + lane]].size()));
+    layout.slots.resize(layout.slots.size() + static_cast<std::size_t>(group.slots));
+
+    for (int lane = 0; lane < group_size; ++lane) {
+        const Place own = place_of(start + lane);
+        const Fan &spokes = fan[layout.cell_of[start + lane]];
+        for (int i = 0; i < group.slots; ++i) {
+            Slot &slot = layout.slots[group.first_slot + i];
+            slot.neighbour[lane] = own;
+            if (i < static_cast<int>(spokes.size()))
+                fill(model, spokes[i], node_of[spokes[i].neighbour], lane, slot);
+        }
+        group.last[lane] = spokes.empty() ? own : place_of(node_of[spokes.back().neighbour]);
+    }
+    layout.groups.push_back(group);
+}
+
+} // namespace
+
+Layout lay_out(const SoftBodyModel &model) {
+    Layout layout;
+    const std::vector<Fan> fan = fans(model);
+    order_nodes(model, fan, layout);
     std::vector<int> node_of(fan.size());
     for (int node = 0; node < layout.nodes; ++node) node_of[layout.cell_of[node]] = node;
-    while (layout.cell_of.size() % group_size != 0) layout.cell_of.push_back(layout.cell_of.back());
-    layout.first_outline_node =
-        layout.nodes - static_cast<int>(std::count(on_outline.begin(), on_outline.end(), 1));
-
-    // Slots of eight fans each.
-    for (std::size_t start = 0; start < layout.cell_of.size(); start += group_size) {
-        Group group{.first_slot = static_cast<int>(layout.slots.size())};
-        for (int lane = 0; lane < group_size; ++lane) {
-            const int node = static_cast<int>(start) + lane, cell = layout.cell_of[node];
-            const int size = static_cast<int>(fan[cell].size());
-            while (group.slots < size) {
-                layout.slots.push_back({});
-                for (int other = 0; other < group_size; ++other)
-                    layout.slots.back().neighbour[other] = place_of(static_cast<int>(start) + other);
-                ++group.slots;
-            }
-            for (int i = 0; i < size; ++i)
-                fill(model, fan[cell][i], node_of[fan[cell][i].neighbour], lane,
-                     layout.slots[group.first_slot + i]);
-            group.last[lane] = place_of(size > 0 ? node_of[fan[cell].back().neighbour] : node);
-        }
-        layout.groups.push_back(group);
-    }
+    while (layout.groups.size() * group_size < layout.cell_of.size()) add_group(model, fan, node_of, layout);
 
     layout.model = renumbered(model, node_of);
     layout.outline.resize((model.outline.size() + group_size - 1) / group_size);

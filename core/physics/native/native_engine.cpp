@@ -30,9 +30,11 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     half_x_.resize(body_.outline.size() * native::group_size), half_y_.resize(half_x_.size());
     pushed_ = false;
     knot_steps_ = knot_interval_ = 0;
+    set_tasks(model.parameters, environment);
+}
 
-    const Parameters &p = model.parameters;
-    time_step_ = p.time_step;
+/// The numbers of the laws, and where the kernel finds what it works on.
+void NativeEngine::set_tasks(const Parameters &p, const Environment &environment) {
     const auto dt = static_cast<float>(p.time_step);
     const auto limit = static_cast<float>(p.node_speed_limit / p.time_step);
     task_ = {.groups = body_.groups.data(),

@@ -12,6 +12,8 @@ namespace planula {
 class NativeEngine : public Engine {
   public:
     explicit NativeEngine(const native::Kernel &kernel = native::chosen_kernel()) : kernel_(kernel) {}
+    NativeEngine(const NativeEngine &) = delete; // its parts point at each other
+    NativeEngine &operator=(const NativeEngine &) = delete;
 
     void load(const SoftBodyModel &model, const Environment &environment) override;
     void actuate(std::span<const double> elongations, int steps) override;
@@ -20,6 +22,7 @@ class NativeEngine : public Engine {
     std::vector<Vec2d> velocities() const override;
 
   private:
+    void set_tasks(const Parameters &parameters, const Environment &environment);
     void lay_ground(const Environment &environment);
     void push_outline();
 
@@ -29,7 +32,6 @@ class NativeEngine : public Engine {
     native::StepTask task_;
     native::DragTask drag_;
     native::Contact contact_;
-    double time_step_ = 0;
 
     std::vector<native::Record> now_, next_;
     std::vector<float> elongation_, push_x_, push_y_; // per node, twins included
