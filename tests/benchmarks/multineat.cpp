@@ -27,11 +27,11 @@ double z_of(const Reference &reference, const std::vector<double> &values) {
     return (above / ours - 0.5) / (0.5 * std::sqrt(1 / ours + 1.0 / reference_runs));
 }
 
-/// Three digits that count.
+/// To three digits that count.
 std::string rounded(double value) {
     int decimals = 2;
     for (double size = std::abs(value); size > 0 && size < 1 && decimals < 12; size *= 10) ++decimals;
-    return to_fixed(value, decimals);
+    return to_text(*parse_double(to_fixed(value, decimals)));
 }
 
 } // namespace
