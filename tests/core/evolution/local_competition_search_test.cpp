@@ -25,11 +25,11 @@ Parameters of(int population, int k) {
 
 BOOST_AUTO_TEST_CASE(competition_is_with_the_nearest_alive_or_archived) {
     // Two neighbours each. On a line: a at 0 fitness 5, b at 1 fitness 3, c at 3 fitness 4, d at 100 fitness 1,
-    // e at 104 fitness 2; an archived one of fitness 1.5 at 101, f not valid.
+    // e at 104 fitness 2; an archived one as fit as d at 101, f not valid.
     const Parameters parameters = of(6, 2);
     NoveltyArchive archive(parameters);
     const Population one = populations::of({{1}});
-    archive.extend(one, std::vector<Evaluation>{{1.5, {101}, 1}}, std::vector<double>{9});
+    archive.extend(one, std::vector<Evaluation>{{1, {101}, 1}}, std::vector<double>{9});
     BOOST_REQUIRE(archive.entries().size() == 1u);
 
     Innovations innovations(3);
