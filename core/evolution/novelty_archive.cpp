@@ -92,8 +92,10 @@ void NoveltyArchive::load(StateReader &reader) {
     reader.group("archive");
     threshold_ = reader.finite();
     if (threshold_ < 0) reader.refuse("a threshold is below 0");
-    run_ = static_cast<int>(reader.integer(0, largest));
-    quiet_ = static_cast<int>(reader.integer(0, largest));
+    // Counts that go on must not overflow: a run of additions is far from half of what fits, and the quiet
+    // generations start again at the patience.
+    run_ = static_cast<int>(reader.integer(0, largest / 2));
+    quiet_ = static_cast<int>(reader.integer(0, parameters_.archive_patience - 1));
     length_ = static_cast<std::size_t>(reader.integer(0, largest));
     const std::size_t entries = reader.count(archive_entry_bytes(length_) + 8);
     if (length_ == 0 && entries > 0) reader.refuse("an archive has entries without behaviour");

@@ -291,9 +291,13 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
         BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader), InputError);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto head = [](double threshold, int run_of_additions, int length, int entries) {
+    const auto head = [](double threshold, int run_of_additions, int length, int entries, int quiet = 0) {
         StateWriter writer;
-        writer.group("novelty search").group("archive").real(threshold).integer(run_of_additions).integer(0);
+        writer.group("novelty search")
+            .group("archive")
+            .real(threshold)
+            .integer(run_of_additions)
+            .integer(quiet);
         writer.integer(length).integer(entries);
         return writer;
     };
@@ -301,6 +305,8 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     refused(head(nan, 0, 0, 0));
     refused(head(-1, 0, 0, 0));
     refused(head(1, -1, 0, 0));
+    refused(head(1, std::numeric_limits<int>::max(), 0, 0)); // the next addition would overflow
+    refused(head(1, 0, 0, 0, Parameters().archive_patience));
     refused(head(1, 0, -1, 0));
     refused(head(1, 0, 2, 1000));
     refused(head(1, 0, 0, 1).integer(0).integer(0).real(1).real(1)); // an entry without behaviour
