@@ -218,15 +218,15 @@ end
 
 -- The champions of each setting in other hands: changes in per cent.
 function tables.print_engines()
-  local lines = { '\\begin{tabular}{lrrrrrrrrr}', '\\toprule',
-    ' & & \\multicolumn{2}{c}{half the step} & \\multicolumn{2}{c}{Bullet} & rank & \\multicolumn{3}{c}{champions that are} \\\\',
-    '\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}\\cmidrule(l){8-10}',
-    'setting & champions & median & largest & median & largest & corr. & flagged & chaotic & apart \\\\', '\\midrule' }
+  local lines = { '\\begin{tabular}{lrrrrrrrrrr}', '\\toprule',
+    ' & & \\multicolumn{2}{c}{half the step} & \\multicolumn{2}{c}{Bullet} & rank & & \\multicolumn{3}{c}{cause of a difference} \\\\',
+    '\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}\\cmidrule(l){9-11}',
+    'setting & champions & median & largest & median & largest & corr. & flagged & chaos & step & engine \\\\', '\\midrule' }
   for number, row in ipairs(data.engines) do
     lines[#lines + 1] = table.concat({ short(row.setting), show(row.champions), percent_of(row.half_change_median),
       percent_of(row.half_change_largest), percent_of(row.bullet_change_median), percent_of(row.bullet_change_largest),
       tonumber(row.rank_correlation) and ('$%.2f$'):format(tonumber(row.rank_correlation)) or '--',
-      show(row.flagged), show(row.chaotic), show(row.apart) }, ' & ') .. ' \\\\'
+      show(row.flagged), show(row.chaotic), show(row.stepped), show(row.apart) }, ' & ') .. ' \\\\'
     if number % 2 == 0 and number < #data.engines then lines[#lines + 1] = '\\addlinespace[2pt]' end
   end
   lines[#lines + 1] = '\\bottomrule\\end{tabular}'
@@ -235,10 +235,10 @@ end
 
 -- The fittest champion of each setting in both engines.
 function tables.print_witnessed_best()
-  local lines = { '\\begin{tabular}{lrrrrrrrl}', '\\toprule',
-    ' & & \\multicolumn{3}{c}{displacement} & nudged & \\multicolumn{2}{c}{height at rest} & \\\\',
-    '\\cmidrule(lr){3-5}\\cmidrule(lr){7-8}',
-    'setting & cells & ours & half step & Bullet & \\% & ours & Bullet & cause \\\\', '\\midrule' }
+  local lines = { '\\begin{tabular}{lrrrrrrrrl}', '\\toprule',
+    ' & & \\multicolumn{4}{c}{displacement} & nudged & \\multicolumn{2}{c}{height at rest} & \\\\',
+    '\\cmidrule(lr){3-6}\\cmidrule(lr){8-9}',
+    'setting & cells & ours & half & eighth & Bullet & \\% & ours & Bullet & cause \\\\', '\\midrule' }
   local function length(text) return tonumber(text) and ('%.2f'):format(tonumber(text)) or '--' end
   for number, setting in ipairs(data.settings) do
     local best
@@ -248,7 +248,7 @@ function tables.print_witnessed_best()
     if best then
       local land = setting.world == 'terrestrial'
       lines[#lines + 1] = table.concat({ short(setting.setting), show(best.cells), length(best.displacement),
-        length(best.half_displacement), length(best.bullet_displacement),
+        length(best.half_displacement), length(best.eighth_displacement), length(best.bullet_displacement),
         ('%.3f'):format(100 * tonumber(best.nudged_change)), land and length(best.rest_height) or '',
         land and length(best.bullet_rest_height) or '', escape(best.cause) }, ' & ') .. ' \\\\'
       if number % 2 == 0 and number < #data.settings then lines[#lines + 1] = '\\addlinespace[2pt]' end

@@ -24,10 +24,12 @@ Maybe height(const Life &life) { return life.outcome == Outcome::viable ? Maybe(
 WitnessedLives lives_of(const Genome &genome, const Spec &spec, const Life &own) {
     Conditions native = spec, bullet = spec;
     native.engine = "native", bullet.engine = "bullet";
-    Conditions half = native, nudged = native;
-    half.refinement *= 2;
+    Conditions half = native, eighth = native;
+    half.refinement *= 2, eighth.refinement *= 8;
+    Conditions nudged = eighth;
     WitnessedLives lives{spec.engine == native.engine ? own : live(genome, native),
                          live(genome, half),
+                         live(genome, eighth),
                          spec.engine == bullet.engine ? own : live(genome, bullet),
                          {}};
     for (int number = 0; number < spec.parameters.witness_nudges; ++number) {
@@ -82,9 +84,9 @@ std::vector<double> column(std::span<const WitnessRow> rows, double WitnessRow::
 
 WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,
                        const WitnessedLives &lives) {
-    const auto &[native, half, bullet, nudged] = lives;
-    const Difference by_half = difference(spec, native, half), by_bullet = difference(spec, native, bullet),
-                     by_nudge = widest(spec, native, nudged);
+    const auto &[native, half, eighth, bullet, nudged] = lives;
+    const Difference by_half = difference(spec, native, half), by_eighth = difference(spec, native, eighth),
+                     by_bullet = difference(spec, native, bullet), by_nudge = widest(spec, eighth, nudged);
     WitnessRow row{.setting = spec.name,
                    .seed = seed,
                    .fitness = champion.fitness,
@@ -96,6 +98,9 @@ WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64
                    .half_outcome = name_of(half.outcome),
                    .half_displacement = half.displacement(),
                    .half_change = by_half.change,
+                   .eighth_outcome = name_of(eighth.outcome),
+                   .eighth_displacement = eighth.displacement(),
+                   .eighth_change = by_eighth.change,
                    .bullet_outcome = name_of(bullet.outcome),
                    .bullet_displacement = bullet.displacement(),
                    .bullet_change = by_bullet.change,
@@ -104,8 +109,8 @@ WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64
                    .nudged_change = by_nudge.change,
                    .flag = by_half.beyond ? "integration exploit" : "",
                    .cause = ""};
-    if (by_half.beyond || by_bullet.beyond)
-        row.cause = by_nudge.beyond ? "chaos" : by_half.beyond ? "time step" : "engine";
+    const bool by_step = by_half.beyond || by_eighth.beyond;
+    if (by_step || by_bullet.beyond) row.cause = by_nudge.beyond ? "chaos" : by_step ? "time step" : "engine";
     return row;
 }
 
@@ -124,6 +129,7 @@ EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions) {
     for (const WitnessRow &r : champions) {
         row.flagged += !r.flag.empty();
         row.chaotic += r.cause == "chaos";
+        row.stepped += r.cause == "time step";
         row.apart += r.cause == "engine";
         if (r.rest_height && r.bullet_rest_height)
             row.height_change_largest = std::max(row.height_change_largest.value_or(0),

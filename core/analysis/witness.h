@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // An independent witness: every champion, the best individual of its run, is lived again in the native
-// engine, there at half the time step and with its cells nudged off their places by next to nothing, and in
-// Bullet (MODEL section 8). A champion that half the step undoes is flagged as an integration exploit. Where
-// a life differs, the cause is named: a gait that a nudge changes as much is chaotic, and neither engine nor
-// step tells where it leads; else the step, if that changes it; else the engine, as Bullet's contact and
-// friction are its own.
+// engine, there at half and at an eighth of the time step, and in Bullet (MODEL section 8). A champion that
+// half the step undoes is flagged as an integration exploit. Where a life differs, the cause is named. At an
+// eighth of the step the cells are also nudged off their places by next to nothing: a gait that this changes
+// as much is chaotic, and nothing tells where it leads. Else the step is the cause, if a finer one leads
+// elsewhere; else the engine, as Bullet's contact with the ground and its friction are its own.
 //
 // Change of a displacement d to d': |d' - d| / max(d, one cell diameter). A champion that hardly moved is so
 // judged by the cell diameters between the two lives, not by a quotient of two small numbers. A life that is
@@ -22,8 +22,8 @@ namespace planula {
 
 /// The lives of one champion.
 struct WitnessedLives {
-    Life native, half, bullet;
-    std::vector<Life> nudged; // native, at the whole step
+    Life native, half, eighth, bullet;
+    std::vector<Life> nudged; // native, at an eighth of the step
 };
 
 /// The row of one champion.

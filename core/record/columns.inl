@@ -305,14 +305,17 @@ COLUMN(Maybe, rest_height, "cell", "height of the centre of mass at rest in the 
 COLUMN(std::string, half_outcome, "", "how its life ends in the native engine at half the time step")
 COLUMN(double, half_displacement, "cell", "distance at half the time step; 0 unless viable")
 COLUMN(double, half_change, "1", "difference of half_displacement from displacement, over the larger of displacement and one cell diameter")
+COLUMN(std::string, eighth_outcome, "", "how its life ends in the native engine at an eighth of the time step")
+COLUMN(double, eighth_displacement, "cell", "distance at an eighth of the time step; 0 unless viable")
+COLUMN(double, eighth_change, "1", "difference of eighth_displacement from displacement, over the larger of displacement and one cell diameter")
 COLUMN(std::string, bullet_outcome, "", "how its life ends in Bullet")
 COLUMN(double, bullet_displacement, "cell", "distance in Bullet; 0 unless viable")
 COLUMN(double, bullet_change, "1", "difference of bullet_displacement from displacement, over the larger of displacement and one cell diameter")
 COLUMN(int, bullet_settle_steps, "step", "steps until the body came to rest in Bullet; 0 in water")
 COLUMN(Maybe, bullet_rest_height, "cell", "height of the centre of mass at rest in Bullet; empty if that life is not viable")
-COLUMN(double, nudged_change, "1", "the same difference in the native engine when every cell is set down up to witness_nudge off its place; the largest of witness_nudges lives")
+COLUMN(double, nudged_change, "1", "the same difference from the life at an eighth of the time step when there every cell is set down up to witness_nudge off its place; the largest of witness_nudges lives")
 COLUMN(std::string, flag, "", "integration exploit: half_change above exploit_bound, or not viable at half the time step; else empty")
-COLUMN(std::string, cause, "", "why half the step or Bullet leads elsewhere, by more than exploit_bound or to another outcome; empty if neither does. chaos: so does a nudge; else time step: half the step does; else engine: only Bullet does")
+COLUMN(std::string, cause, "", "why a finer step or Bullet leads elsewhere, by more than exploit_bound or to another outcome; empty if none does. chaos: so does a nudge; else time step: half or an eighth of it does; else engine: only Bullet does")
 END_TABLE
 
 TABLE(EngineRow, "engines.csv")
@@ -326,6 +329,7 @@ COLUMN(Maybe, bullet_change_largest, "1", "largest bullet_change")
 COLUMN(Maybe, height_change_largest, "cell", "largest difference of bullet_rest_height from rest_height")
 COLUMN(int, flagged, "runs", "champions with a flag")
 COLUMN(int, chaotic, "runs", "champions with the cause chaos")
+COLUMN(int, stepped, "runs", "champions with the cause time step")
 COLUMN(int, apart, "runs", "champions with the cause engine")
 END_TABLE
 

@@ -20,9 +20,10 @@ Life moved(double distance, Outcome outcome = Outcome::viable) {
     return life_of(FakeLife{.moved = {distance, 0}, .outcome = outcome}, Parameters{});
 }
 
-/// The nudged lives are the native one unless given.
+/// At an eighth of the step it lives as at half of it, nudged or not, unless given.
 WitnessRow row_of(const Life &native, const Life &half, const Life &bullet, std::vector<Life> nudged = {}) {
-    return witness_row(fake_spec("water", 1, 1), champion, 7, {native, half, bullet, std::move(nudged)});
+    return witness_row(fake_spec("water", 1, 1), champion, 7,
+                       {native, half, half, bullet, std::move(nudged)});
 }
 
 Spec swimmers() {
@@ -68,15 +69,24 @@ BOOST_AUTO_TEST_CASE(a_champion_that_the_time_step_made_is_flagged) {
 }
 
 BOOST_AUTO_TEST_CASE(the_cause_is_chaos_before_the_step_before_the_engine) {
+    const auto cause = [](double half, double eighth, const Life &bullet, std::vector<Life> nudged) {
+        return witness_row(fake_spec("water", 1, 1), champion, 7,
+                           {moved(20), moved(half), moved(eighth), bullet, std::move(nudged)})
+            .cause;
+    };
     const std::vector<Life> steady{moved(20.5), moved(19.5)}, wild{moved(20), moved(26)};
-    const std::vector<Life> lost{moved(20), moved(0, Outcome::exploded)};
-    BOOST_TEST(row_of(moved(20), moved(19), moved(21), wild).cause == "");
-    BOOST_TEST(row_of(moved(20), moved(15), moved(30), steady).cause == "time step");
-    BOOST_TEST(row_of(moved(20), moved(19), moved(30), steady).cause == "engine");
-    BOOST_TEST(row_of(moved(20), moved(15), moved(20), wild).cause == "chaos");
-    BOOST_TEST(row_of(moved(20), moved(20), moved(30), lost).cause == "chaos");
-    BOOST_TEST(row_of(moved(20), moved(15), moved(20), wild).nudged_change == 0.3, tt::tolerance(1e-12));
-    BOOST_TEST(row_of(moved(0.01), moved(0), moved(0, Outcome::never_settled), {moved(0)}).cause == "engine");
+    BOOST_TEST(cause(19, 19, moved(21), wild) == ""); // nothing to explain
+    BOOST_TEST(cause(15, 20, moved(20), steady) == "time step");
+    BOOST_TEST(cause(19, 15, moved(15), {moved(15)}) == "time step"); // Bullet sides with the finest step
+    BOOST_TEST(cause(19, 20, moved(30), steady) == "engine");
+    BOOST_TEST(cause(15, 20, moved(20), wild) == "chaos");
+    BOOST_TEST(cause(20, 20, moved(30), {moved(20), moved(0, Outcome::exploded)}) == "chaos");
+    BOOST_TEST(cause(20, 20, moved(0, Outcome::never_settled), steady) == "engine");
+    // A nudge is measured where it is made: at the finest step.
+    const WitnessRow row = witness_row(fake_spec("water", 1, 1), champion, 7,
+                                       {moved(20), moved(15), moved(10), moved(20), {moved(10.5), moved(9)}});
+    BOOST_TEST(row.nudged_change == 0.1, tt::tolerance(1e-12));
+    BOOST_TEST(row.eighth_change == 0.5, tt::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(a_life_that_is_not_viable_has_lost_all_the_way_and_has_no_place) {
@@ -103,6 +113,7 @@ BOOST_AUTO_TEST_CASE(a_setting_is_summed_up_and_correlated_from_three_champions_
     BOOST_TEST(row.bullet_change_largest.value() == 2);
     BOOST_TEST(row.flagged == 1);
     BOOST_TEST(row.chaotic == 0);
+    BOOST_TEST(row.stepped == 1);
     BOOST_TEST(row.apart == 1);
     BOOST_TEST(row.height_change_largest.value() == 0);
 
