@@ -58,9 +58,25 @@ class SensitivityCommand {
             if (!concerns(row, *sample.spec)) continue;
             const double standard = parameter(sample.spec->parameters, row.name);
             const double value = varied(row, standard, factor);
-            if (value == standard) continue;
+            if (value == standard || !is_possible(*sample.spec, row.name, value)) continue;
             const Experiment changed = experiment_of(arguments_, console_, {{std::string(row.name), value}});
             rows_.push_back(vary(sample, *changed.find(sample.spec->name), row.name, threads_));
+        }
+    }
+
+    /// Whether the value goes with those of the other parameters; if not, it is passed over and told once.
+    bool is_possible(const Spec &setting, std::string_view name, double value) {
+        Parameters parameters = setting.parameters;
+        set_parameter(parameters, name, value);
+        try {
+            check_consistency(parameters);
+            return true;
+        } catch (const InputError &error) {
+            const std::string told =
+                std::string(name) + " = " + to_text(value) + " is passed over: " + error.what();
+            if (told != told_) console_.err << told << '\n';
+            told_ = told;
+            return false;
         }
     }
 
@@ -70,6 +86,7 @@ class SensitivityCommand {
     const int threads_;
     std::vector<Sample> samples_;
     std::vector<SensitivityRow> rows_;
+    std::string told_; // the last value that was passed over, and why
 };
 
 int call_sensitivity(const Arguments &arguments, Console &console) {

@@ -184,18 +184,23 @@ BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_parameter_and_factor_that_co
         "local paper = require 'paper'\n"
         "return paper.experiment { name = 'small', parameters = { population = 30, generations = 1 },\n"
         "sensitivity = { sample = 20, factors = { 0.5, 2 },\n"
-        "parameters = { 'drag_normal', 'gravity', 'minimum_cells' } } }\n");
+        "parameters = { 'drag_normal', 'gravity', 'minimum_cells', 'knot_interval' } } }\n");
     planula_says({"run", place.script(), "--seeds", "1:2", "--out", place.runs()});
     const std::string data = place.path / "data";
     const Said said = planula_says(
         {"sensitivity", place.script(), "--runs", place.runs(), "--out", data, "--threads", "2"});
     BOOST_TEST(said.code == 0, said.err);
     BOOST_TEST(said.out == data + '\n');
-    BOOST_TEST(test::contains(said.err, "sensitivity: drag_normal, 1 of 3\n"), said.err);
+    BOOST_TEST(test::contains(said.err, "sensitivity: drag_normal, 1 of 4\n"), said.err);
+    BOOST_TEST(test::contains(said.err, "knot_interval = 20 is passed over: parameters break the rule: "
+                                        "update_interval is a multiple of knot_interval\n"),
+               said.err);
     const std::string table = content(fs::path(data) / "sensitivity.csv");
     for (const char *row : {"\nsmall,drag_normal,1,0.5,30,1,20,", "\nsmall,drag_normal,1,2,30,1,20,",
                             "\nsmall,minimum_cells,8,4,30,1,20,", "\nsmall,minimum_cells,8,16,30,1,20,"})
         BOOST_TEST(test::contains(table, row), table);
+    BOOST_TEST(test::contains(table, "\nsmall,knot_interval,10,5,"), table);
+    BOOST_TEST(!test::contains(table, "\nsmall,knot_interval,10,20,"), table);
     BOOST_TEST(!test::contains(table, "gravity"), table);
 }
 
