@@ -114,7 +114,7 @@ const Command &witness_command() {
     static const Command command{
         "witness",
         "FILE.lua",
-        "lives the champion of every run again at half the time step and in Bullet",
+        "lives the champion of every run again at finer time steps and in Bullet",
         "Reads all complete runs of the experiment below --runs and writes witness.csv, a row for each "
         "champion, and\n"
         "engines.csv, a row for each setting. A champion whose distance changes by more than the parameter\n"

@@ -23,20 +23,6 @@ Parameters of(int population, double width) {
     return parameters;
 }
 
-Population numbered(int size, std::int64_t first) {
-    Population population = populations::of({std::vector<double>(size, 1)});
-    for (Genome &genome : population.genomes) genome.id = first++;
-    return population;
-}
-
-std::vector<std::int64_t> ids(const Elites &elites) {
-    std::vector<std::int64_t> result;
-    for (const Genome &genome : elites.genomes) result.push_back(genome.id);
-    return result;
-}
-
-using Ids = std::vector<std::int64_t>;
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(each_niche_keeps_its_fittest_and_scores_are_what_they_add) {

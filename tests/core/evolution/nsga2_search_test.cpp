@@ -20,21 +20,6 @@ Parameters of(int population, int k = 1) {
     return parameters;
 }
 
-/// A generation of so many genomes with ids from `first` on.
-Population numbered(int size, std::int64_t first) {
-    Population population = populations::of({std::vector<double>(size, 1)});
-    for (Genome &genome : population.genomes) genome.id = first++;
-    return population;
-}
-
-std::vector<std::int64_t> ids(const Elites &elites) {
-    std::vector<std::int64_t> result;
-    for (const Genome &genome : elites.genomes) result.push_back(genome.id);
-    return result;
-}
-
-using Ids = std::vector<std::int64_t>;
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(the_objectives_are_fitness_and_penalised_novelty) {

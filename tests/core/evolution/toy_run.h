@@ -3,15 +3,32 @@
 #pragma once
 
 #include "core/evolution/populations.h"
+#include "evolution/brood.h"
 #include "evolution/search.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace planula {
+
+using Ids = std::vector<std::int64_t>;
+
+/// A generation of so many equal genomes with ids from `first` on.
+inline Population numbered(int size, std::int64_t first) {
+    Population population = populations::of({std::vector<double>(size, 1)});
+    for (Genome &genome : population.genomes) genome.id = first++;
+    return population;
+}
+
+inline Ids ids(const Elites &elites) {
+    Ids result;
+    for (const Genome &genome : elites.genomes) result.push_back(genome.id);
+    return result;
+}
 
 using Judgement = std::function<Evaluation(const Genome &)>;
 
