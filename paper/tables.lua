@@ -20,8 +20,11 @@ local symbols = {
 -- Plain text as TeX shows it literally.
 local function escape(text) return (text:gsub(utf8.charpattern, symbols)) end
 
--- Words between backticks in the typewriter face.
-local function code_in(text) return (text:gsub('`([^`]+)`', '\\texttt{%1}')) end
+-- Words between backticks in the typewriter face, between asterisks emphasised.
+local function marked_up(text)
+  text = text:gsub('`([^`]+)`', '\\texttt{%1}'):gsub('%*%*([^*]+)%*%*', '\\textbf{%1}')
+  return (text:gsub('%*([^*]+)%*', '\\emph{%1}'))
+end
 
 -- Whole numbers with a thin space between groups of three digits: 11 520.
 local function grouped(digits)
@@ -409,7 +412,7 @@ function tables.print_decisions(folder)
     local text = io.open(folder .. '/' .. name):read 'a'
     local title = assert(text:match '\n?# (.-)\n', name .. ' has no title')
     local decision = assert(text:match '## Decision\n+(.-)\n\n', name .. ' has no decision')
-    lines[#lines + 1] = ('\\item[%s] \\textbf{%s.} %s'):format(name:sub(1, 4), escape(title), code_in(escape(decision):gsub('\n', ' ')))
+    lines[#lines + 1] = ('\\item[%s] \\textbf{%s.} %s'):format(name:sub(1, 4), escape(title), marked_up(escape(decision):gsub('\n', ' ')))
   end
   lines[#lines + 1] = '\\end{description}'
   tex.print(lines)
