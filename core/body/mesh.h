@@ -32,12 +32,9 @@ struct Mesh {
 struct OutlineLink {
     int a = 0, b = 0;
     bool solid = false; // in a triangle
-    int previous = -1; // index in the outline of the link that ends in a on the same contour; -1 if not solid
-    int next = -1;     // index in the outline of the link that starts in b on the same contour
 };
 
-/// The outline, ordered by the lower, then the higher index of each link's ends. A vertex at which the body
-/// touches itself has several contours; `previous` and `next` stay on one by turning through its triangles.
+/// The outline, ordered by the lower, then the higher index of each link's ends.
 std::vector<OutlineLink> outline(const Mesh &mesh);
 
 /// For each of `count` cells its neighbours by links, ascending.

@@ -37,10 +37,8 @@ PARAMETER(double, spring_stiffness, 400, 0, 4000, "mass/t.u.²", "ours", "spring
 PARAMETER(double, spring_damping, 8, 0, 50, "mass/t.u.", "ours", "damping along each spring of the soft body")
 PARAMETER(double, pressure_stiffness, 2000, 0, 5000, "mass/t.u.²", "ours", "pressure of a triangle per relative loss of area")
 PARAMETER(double, area_floor, 0.2, 1e-3, 10, "cell²", "ours", "smaller equilibrium areas count as this in the pressure law")
-PARAMETER(double, contact_stiffness, 800, 0, 4000, "mass/t.u.²", "ours", "stiffness of self-collision")
-PARAMETER(double, contact_radius, 0.35, 0, 1, "cell", "ours", "a cell nearer to an outline link than this is pushed out")
-PARAMETER(double, contact_depth, 0.4, 0, 1, "cell", "ours", "a cell deeper behind an outline link than this is let alone")
-PARAMETER(double, contact_mask_distance, 0.42, 0, 2, "cell", "ours", "links nearer than this at the end of development never push")
+PARAMETER(double, contact_stiffness, 1600, 0, 4000, "mass/t.u.²", "ours", "stiffness of self-collision")
+PARAMETER(double, contact_radius, 0.35, 0, 1, "cell", "ours", "a cell and an outline link nearer than this push each other apart, unless they grew so")
 PARAMETER(double, node_speed_limit, 1, 0.01, 10, "cell/step", "ours", "a faster node means that the body has exploded")
 
 SECTION("Water")

@@ -20,22 +20,16 @@ std::vector<int> solid_outline_cells(const std::vector<OutlineLink> &outline) {
     return cells;
 }
 
-/// Links that never push a cell: those of loose chains, those of the cell and its neighbours, and those that
-/// lay near it at the end of development.
+/// Links that never push a cell: those of loose chains, and those that lay near it at the end of development,
+/// as its own do.
 std::vector<char> contact_masks(const Body &body, const std::vector<int> &cells, double near) {
-    const auto adjacent = neighbours(body.mesh, body.cells());
     std::vector<char> masked;
-    for (const int cell : cells) {
-        const auto close = [&](int other) {
-            return other == cell || std::binary_search(adjacent[cell].begin(), adjacent[cell].end(), other);
-        };
+    for (const int cell : cells)
         for (const auto &link : body.outline) {
             const Vec2d p = body.positions[cell];
             const auto foot = foot_on_segment(p, body.positions[link.a], body.positions[link.b]);
-            masked.push_back(!link.solid || close(link.a) || close(link.b) ||
-                             squared_length(p - foot.point) < near * near);
+            masked.push_back(!link.solid || squared_length(p - foot.point) < near * near);
         }
-    }
     return masked;
 }
 
@@ -60,7 +54,7 @@ SoftBodyModel embody(const Body &body, const Environment &environment, const Par
                         .outline = body.outline,
                         .contact_cells = solid_outline_cells(body.outline),
                         .parameters = parameters};
-    model.masked = contact_masks(body, model.contact_cells, parameters.contact_mask_distance);
+    model.masked = contact_masks(body, model.contact_cells, parameters.contact_radius);
     const Vec2d shift = placement(body, environment);
     for (Vec2d &position : model.positions) position += shift;
     return model;

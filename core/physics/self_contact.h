@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Self-collision of one soft body: which cell meets which link, and with what force (MODEL section 3,
-// "Self-collision law").
+// Self-collision of one soft body: which cell meets which link, and with what force (decision 0007).
 #pragma once
 
 #include "physics/soft_body.h"
@@ -28,13 +27,12 @@ template <class T> struct Touch {
     Vec2<T> on_cell, on_a, on_b;
 };
 
-/// The law for a contact cell (its place in model.contact_cells) and the unmasked outline link that is
-/// nearest to it; the forces are 0 out of reach.
+/// The law for a contact cell (its place in model.contact_cells) and an unmasked outline link; the forces are 0
+/// out of reach.
 template <class T>
 Touch<T> touch_of(const SoftBodyModel &model, std::size_t contact_cell, int link, Points<T> positions);
 
-/// Finds each cell's nearest link. Pairs that may meet soon are kept in a list (Verlet) that is made again
-/// when a node has moved by half its skin; the forces are those of a search over all pairs, to the bit.
+/// Finds the pairs that touch. Those that may meet soon are kept in a list (Verlet) that is made again when a node has moved by half its skin; the forces are those of a search over all pairs, to the bit.
 template <class T> class SelfContact {
   public:
     /// `skin`: how much farther than the contact law reaches pairs are listed; any skin gives the same
@@ -48,7 +46,6 @@ template <class T> class SelfContact {
   private:
     bool list_is_stale(std::span<const Vec2<T>> positions) const;
     void make_list(std::span<const Vec2<T>> positions);
-    int nearest_link(std::size_t contact_cell, std::span<const Vec2<T>> positions) const;
 
     const SoftBodyModel *model_ = nullptr;
     T skin_, reach_ = 0;

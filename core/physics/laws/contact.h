@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Self-collision (§2.5; MODEL B3): a cell on the outline is pushed along the signed distance φ to the nearest
-// unmasked link of it, φ > 0 outside the body.
+// Self-collision (§2.5; MODEL B3, decision 0007): a cell and a link push each other apart by a potential of the
+// distance between them.
 #pragma once
 
 #include "base/vec2.h"
@@ -23,14 +23,13 @@ template <class T> Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
     return {a + edge * t, t};
 }
 
-/// The force on a cell at `from_foot` from the nearest point of a link: stiffness·(radius − φ) along ∇φ for
-/// −depth < φ < radius, nothing elsewhere nor at φ = 0.
-template <class T> Vec2<T> contact_force(Vec2<T> from_foot, bool outside, T stiffness, T radius, T depth) {
+/// The force on a cell at `from_foot` from the nearest point of a link: −∇U of U = stiffness/2·(radius − d)² for
+/// d = |from_foot| < radius, nothing elsewhere nor at d = 0. U is continuous everywhere, so that whatever path a
+/// cell takes, what contact gives it contact has taken.
+template <class T> Vec2<T> contact_force(Vec2<T> from_foot, T stiffness, T radius) {
     const T d = length(from_foot);
-    const T phi = outside ? d : -d;
-    if (d == 0 || !(phi > -depth && phi < radius)) return {};
-    const Vec2<T> up = from_foot / phi;
-    return up * (stiffness * (radius - phi));
+    if (d == 0 || !(d < radius)) return {};
+    return from_foot * (stiffness * (radius - d) / d);
 }
 
 } // namespace planula

@@ -16,8 +16,7 @@ constexpr float margin = 1e-3f; // far above what rounding does to distances
 
 void Contact::load(const Layout &layout, const Kernel &kernel) {
     layout_ = &layout, kernel_ = &kernel;
-    const Parameters &p = layout.model.parameters;
-    reach_ = static_cast<float>(std::max(p.contact_radius, p.contact_depth));
+    reach_ = static_cast<float>(layout.model.parameters.contact_radius);
     first_node_ = layout.first_outline_node / group_size * group_size;
     end_node_ = static_cast<int>(layout.cell_of.size());
     listed_at_.clear(), searched_at_.clear(), touches_.clear();
@@ -38,23 +37,16 @@ std::span<const Touch<float>> Contact::touches(const Record *now) {
         kernel_->measure_pairs(pairs_.data(), static_cast<int>(pairs_.size()), now, squared_.data());
     touches_.clear();
     if (least < reach_ * reach_)
-        for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell) touch(cell, now);
+        for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell)
+            for (int i = first_[cell]; i < first_[cell + 1]; ++i)
+                if (squared_[i] < reach_ * reach_)
+                    touches_.push_back(touch_of<float>(layout_->model, cell, links_[i], {&now->x, 4}));
 
     // Pairs that are not listed were farther apart than reach and skin.
     clearance_ = std::min(std::sqrt(least) - reach_, skin - moved) - margin;
     searched_at_.clear();
     if (clearance_ > 0) searched_at_.assign(now, now + end_node_);
     return touches_;
-}
-
-/// The cell and its nearest link, if in reach; of equals the lowest.
-void Contact::touch(std::size_t contact_cell, const Record *now) {
-    int nearest = -1;
-    for (int i = first_[contact_cell]; i < first_[contact_cell + 1]; ++i)
-        if (nearest < 0 || squared_[i] < squared_[nearest]) nearest = i;
-    if (nearest < 0 || !(squared_[nearest] < reach_ * reach_)) return;
-    const auto touch = touch_of<float>(layout_->model, contact_cell, links_[nearest], {&now->x, 4});
-    if (touch.on_cell != Vec2f{}) touches_.push_back(touch);
 }
 
 void Contact::make_list(const Record *now) {
@@ -85,10 +77,10 @@ void Contact::list_pair(int cell, int link) {
     const std::size_t place = links_.size() % group_size;
     links_.push_back(link);
     if (place == 0) pairs_.emplace_back();
-    const auto &[a, b, solid, previous, next] = layout_->model.outline[link];
+    const OutlineLink &l = layout_->model.outline[link];
     PairGroup &group = pairs_.back();
     for (std::size_t i = place; i < (place == 0 ? group_size : place + 1); ++i)
-        group.cell[i] = place_of(cell), group.a[i] = place_of(a), group.b[i] = place_of(b);
+        group.cell[i] = place_of(cell), group.a[i] = place_of(l.a), group.b[i] = place_of(l.b);
 }
 
 float Contact::motion(const std::vector<Record> &then, const Record *now) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Self-collision in the native engine: finds each cell's nearest link several pairs at once and leaves the
-// law to touch_of. Pairs that may meet soon are kept in a list (Verlet) that is made again when nodes have
-// moved against each other by more than its skin; and while they have moved too little for any listed pair to
-// come into reach, nothing is looked at. The touches are those of a search over all pairs, to the bit.
+// Self-collision in the native engine: measures several pairs of cell and link at once and leaves the law to
+// touch_of. Pairs that may meet soon are kept in a list (Verlet) that is made again when nodes have moved against
+// each other by more than its skin; and while they have moved too little for any listed pair to come into reach,
+// nothing is looked at. The touches are those of a search over all pairs, to the bit.
 #pragma once
 
 #include "physics/native/kernel.h"
@@ -23,7 +23,6 @@ class Contact {
   private:
     void make_list(const Record *now);
     void list_pair(int cell, int link);
-    void touch(std::size_t contact_cell, const Record *now);
     float motion(const std::vector<Record> &then, const Record *now) const;
 
     const Layout *layout_ = nullptr;

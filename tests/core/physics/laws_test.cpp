@@ -86,15 +86,13 @@ BOOST_AUTO_TEST_CASE(the_foot_on_a_segment_is_clamped_to_its_ends) {
     BOOST_TEST((foot_on_segment<double>({5, 1}, {0, 0}, {1, 0}).point == Vec2d{1, 0}));
 }
 
-BOOST_AUTO_TEST_CASE(contact_pushes_outwards_from_either_side_within_its_reach) {
-    const auto push = [](double d, bool outside) {
-        return contact_force<double>({0, d}, outside, 800, 0.35, 0.4);
-    };
-    BOOST_TEST(push(0.1, true).y == 200, near);   // 800 (0.35 − 0.1), away from the link
-    BOOST_TEST(push(0.1, false).y == -360, near); // φ = −0.1: back through it
-    BOOST_TEST((push(0.35, true) == Vec2d{}));    // too far
-    BOOST_TEST((push(0.4, false) == Vec2d{}));    // too deep
-    BOOST_TEST((contact_force<double>({0, 0}, true, 800, 0.35, 0.4) == Vec2d{}));
+BOOST_AUTO_TEST_CASE(contact_pushes_apart_within_its_reach) {
+    const auto push = [](double x, double y) { return contact_force<double>({x, y}, 1600, 0.35); };
+    BOOST_TEST(push(0, 0.1).y == 400, near); // 1600 (0.35 − 0.1), away from the link
+    BOOST_TEST(push(0, -0.1).y == -400, near);
+    BOOST_TEST(push(0.06, 0.08).x == 240, near);
+    BOOST_TEST((push(0, 0.35) == Vec2d{}));
+    BOOST_TEST((push(0, 0) == Vec2d{}));
 }
 
 BOOST_AUTO_TEST_CASE(the_ground_takes_the_normal_speed_and_friction_its_share_of_the_impulse) {
