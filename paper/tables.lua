@@ -165,6 +165,13 @@ function tables.witnessed(column)
   return show(count)
 end
 
+-- The fastest that anything moves within a champion whose muscles hold still.
+function tables.largest_unrest()
+  local most = 0
+  for _, row in ipairs(data.engines) do most = math.max(most, tonumber(row.held_unrest_largest) or 0) end
+  return show(most)
+end
+
 -- The lowest and the highest rank correlation of a setting; settings with too few champions have none.
 function tables.rank_correlations()
   local low, high

@@ -31,7 +31,8 @@ WitnessedLives lives_of(const Genome &genome, const Spec &spec, const Life &own)
                          live(genome, half),
                          live(genome, eighth),
                          spec.engine == bullet.engine ? own : live(genome, bullet),
-                         {}};
+                         {},
+                         held_unrest(genome, native)};
     for (int number = 0; number < spec.parameters.witness_nudges; ++number) {
         nudged.nudge = {spec.parameters.witness_nudge, number};
         lives.nudged.push_back(live(genome, nudged));
@@ -82,9 +83,27 @@ std::vector<double> column(std::span<const WitnessRow> rows, double WitnessRow::
 
 } // namespace
 
+double held_unrest(const Genome &genome, Conditions conditions) {
+    conditions.held_from = conditions.parameters.locomotion_steps;
+    conditions.parameters.locomotion_steps *= 2;
+    const Parameters p = refined(conditions.parameters, conditions.refinement);
+    std::vector<Vec2d> before, velocities;
+    double at_end = 0;
+    Watch watch;
+    watch.move = [&](int step, std::span<const Vec2d> nodes, std::span<const double>) {
+        if (step == p.locomotion_steps - 1) before.assign(nodes.begin(), nodes.end());
+        if (step != p.locomotion_steps) return;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            velocities.push_back((nodes[i] - before[i]) / p.time_step);
+        at_end = unrest(nodes, velocities);
+    };
+    live(genome, conditions, watch);
+    return at_end;
+}
+
 WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,
                        const WitnessedLives &lives) {
-    const auto &[native, half, eighth, bullet, nudged] = lives;
+    const auto &[native, half, eighth, bullet, nudged, held] = lives;
     const Difference by_half = difference(spec, native, half), by_eighth = difference(spec, native, eighth),
                      by_bullet = difference(spec, native, bullet), by_nudge = widest(spec, eighth, nudged);
     WitnessRow row{.setting = spec.name,
@@ -107,7 +126,10 @@ WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64
                    .bullet_settle_steps = bullet.settle_steps,
                    .bullet_rest_height = height(bullet),
                    .nudged_change = by_nudge.change,
-                   .flag = by_half.beyond ? "integration exploit" : "",
+                   .held_unrest = held,
+                   .flag = by_half.beyond                        ? "integration exploit"
+                           : held > spec.parameters.unrest_bound ? "perpetual motion"
+                                                                 : "",
                    .cause = ""};
     const bool by_step = by_half.beyond || by_eighth.beyond;
     if (by_step || by_bullet.beyond) row.cause = by_nudge.beyond ? "chaos" : by_step ? "time step" : "engine";
@@ -126,6 +148,8 @@ EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions) {
     row.half_change_largest = *std::max_element(half.begin(), half.end());
     row.bullet_change_median = median(bullet);
     row.bullet_change_largest = *std::max_element(bullet.begin(), bullet.end());
+    const std::vector<double> held = column(champions, &WitnessRow::held_unrest);
+    row.held_unrest_largest = *std::max_element(held.begin(), held.end());
     for (const WitnessRow &r : champions) {
         row.flagged += !r.flag.empty();
         row.chaotic += r.cause == "chaos";

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An independent witness: every champion, the best individual of its run, is lived again in the native
 // engine, there at half and at an eighth of the time step, and in Bullet (MODEL section 8). A champion that
-// half the step undoes is flagged as an integration exploit. Where a life differs, the cause is named. At an
+// half the step undoes is flagged as an integration exploit. In one more life the muscles then hold still for
+// as long again: what moves within the body at the end of that is fed by the model and not by muscles, and the
+// champion is flagged as perpetual motion. Where a life differs, the cause is named. At an
 // eighth of the step the cells are also nudged off their places by next to nothing: a gait that this changes
 // as much is chaotic, and nothing tells where it leads. Else the step is the cause, if a finer one leads
 // elsewhere; else the engine, as Bullet's contact with the ground and its friction are its own.
@@ -24,7 +26,12 @@ namespace planula {
 struct WitnessedLives {
     Life native, half, eighth, bullet;
     std::vector<Life> nudged; // native, at an eighth of the step
+    double held_unrest;       // native, muscles held: unrest() at the end, cells/t.u.
 };
+
+/// unrest() of the body when, after its life, the muscles have held still for as long again; 0 if that life ends
+/// early.
+double held_unrest(const Genome &genome, Conditions conditions);
 
 /// The row of one champion.
 WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,

@@ -31,6 +31,22 @@ Vec2d centre_of_mass(std::span<const Vec2d> points) {
     return points.empty() ? sum : sum / static_cast<double>(points.size());
 }
 
+double unrest(std::span<const Vec2d> points, std::span<const Vec2d> velocities) {
+    const Vec2d centre = centre_of_mass(points), drift = centre_of_mass(velocities);
+    double momentum = 0, inertia = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        momentum += cross(points[i] - centre, velocities[i] - drift);
+        inertia += squared_length(points[i] - centre);
+    }
+    const double turn = inertia > 0 ? momentum / inertia : 0;
+    double most = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2d arm = points[i] - centre;
+        most = std::max(most, length(velocities[i] - drift - Vec2d{-arm.y, arm.x} * turn));
+    }
+    return most;
+}
+
 double elongation(std::span<const Vec2d> positions) {
     constexpr double chain = 1000;
     if (positions.size() < 3) return 0;

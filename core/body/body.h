@@ -23,6 +23,10 @@ Body make_body(std::vector<Vec2d> positions, double link_limit);
 /// Mean of points, summed in index order; (0, 0) of none.
 Vec2d centre_of_mass(std::span<const Vec2d> points);
 
+/// The largest speed of a point relative to the motion of all as one rigid body: its mean velocity, and its mean
+/// turn about the centre. 0 of none.
+double unrest(std::span<const Vec2d> points, std::span<const Vec2d> velocities);
+
 /// Length over width by the principal axes of the cell centres, >= 1: sqrt of the ratio of their variances,
 /// capped at 1000 for a chain; 0 for fewer than three cells.
 double elongation(std::span<const Vec2d> positions);

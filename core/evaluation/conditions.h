@@ -6,6 +6,7 @@
 #include "parameters/parameters.h"
 #include "physics/environment.h"
 
+#include <optional>
 #include <string>
 
 namespace planula {
@@ -24,6 +25,8 @@ struct Conditions {
     std::string engine = "native"; // a name of make_engine()
     int refinement = 1;            // locomotion takes so many physics steps for each of the parameters'
     Nudge nudge;                   // none in any evolution
+    std::optional<int>
+        held_from; // the muscles hold still from this step of locomotion on; none in any evolution
     Parameters parameters;
 };
 

@@ -56,7 +56,8 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     const Parameters moving = refined(growing, conditions.refinement);
     SoftBodyModel model = embody(growth.body, conditions.environment, moving);
     disturb(conditions.nudge, model.positions);
-    const auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
+    auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
+    if (conditions.held_from) gait = hold(std::move(gait), *conditions.held_from * conditions.refinement);
     const auto engine = make_engine(conditions.engine);
     Trial trial =
         locomote(model, conditions.environment, conditions.actuation_range, *gait, *engine, watch.move);

@@ -5,6 +5,8 @@
 #include "locomotion/oscillator.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace planula {
 
@@ -13,6 +15,32 @@ std::unique_ptr<Gait> make_gait(Actuation actuation, const Network &network, con
     if (actuation == Actuation::oscillator)
         return std::make_unique<Oscillators>(read_oscillators(network, tissue, parameters), parameters);
     return std::make_unique<GrnMuscles>(network, body, tissue, parameters);
+}
+
+namespace {
+
+class HeldGait : public Gait {
+  public:
+    HeldGait(std::unique_ptr<Gait> gait, int from) : gait_(std::move(gait)), from_(from) {}
+
+    void signals(int t, std::span<double> signal) override {
+        if (held_.empty()) gait_->signals(t, signal);
+        if (held_.empty() && t >= from_) held_.assign(signal.begin(), signal.end());
+        if (!held_.empty()) std::copy(held_.begin(), held_.end(), signal.begin());
+    }
+    double activity() const override { return gait_->activity(); }
+    bool is_sound() const override { return gait_->is_sound(); }
+
+  private:
+    std::unique_ptr<Gait> gait_;
+    int from_;
+    std::vector<double> held_; // once they are
+};
+
+} // namespace
+
+std::unique_ptr<Gait> hold(std::unique_ptr<Gait> gait, int from) {
+    return std::make_unique<HeldGait>(std::move(gait), from);
 }
 
 double ramp(int t, const Parameters &parameters) {

@@ -33,6 +33,9 @@ class Gait {
 std::unique_ptr<Gait> make_gait(Actuation actuation, const Network &network, const Body &body,
                                 const Tissue &tissue, const Parameters &parameters);
 
+/// The same gait, but its signals stay as they are at the first knot at or after step `from`.
+std::unique_ptr<Gait> hold(std::unique_ptr<Gait> gait, int from);
+
 /// The share by which a cell with signal a lengthens its springs. Of two cells they add up to L = (1 + r (a1 +
 /// a2)/2) L0 (laws/spring.h). With r the largest change when both agree, this is Eq. (1) with A = r/2, which
 /// adds two sines, and Eq. (3) with A = r, which averages two outputs. `ramp` in [0, 1] scales r.

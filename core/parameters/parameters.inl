@@ -125,6 +125,7 @@ SECTION("Statistics")
 PARAMETER(double, confidence, 0.95, 0.01, 0.9999, "1", "Fig. 6", "coverage of bootstrap intervals")
 PARAMETER(int, bootstrap_resamples, 10000, 100, 10000000, "resamples", "ours", "resamples of a bootstrap interval")
 PARAMETER(double, exploit_bound, 0.10, 0, 1, "1", "ours", "relative change of displacement at half the time step above which a champion is flagged as an integration exploit")
+PARAMETER(double, unrest_bound, 1, 0, 100, "cell/t.u.", "ours", "a champion whose nodes move faster than this within its body while its muscles hold still is flagged as perpetual motion")
 PARAMETER(double, witness_nudge, 1e-4, 0, 0.1, "cell", "ours", "a witnessed champion's cells are also set down up to this far off their places")
 PARAMETER(int, witness_nudges, 4, 1, 1000, "lives", "ours", "so many different nudges tell whether a champion's gait is chaotic")
 

@@ -314,7 +314,8 @@ COLUMN(double, bullet_change, "1", "difference of bullet_displacement from displ
 COLUMN(int, bullet_settle_steps, "step", "steps until the body came to rest in Bullet; 0 in water")
 COLUMN(Maybe, bullet_rest_height, "cell", "height of the centre of mass at rest in Bullet; empty if that life is not viable")
 COLUMN(double, nudged_change, "1", "the same difference from the life at an eighth of the time step when there every cell is set down up to witness_nudge off its place; the largest of witness_nudges lives")
-COLUMN(std::string, flag, "", "integration exploit: half_change above exploit_bound, or not viable at half the time step; else empty")
+COLUMN(double, held_unrest, "cell/t.u.", "the fastest node relative to the motion of the body as a whole, when after its life the muscles have held still for as long again")
+COLUMN(std::string, flag, "", "integration exploit: half_change above exploit_bound, or not viable at half the time step; else perpetual motion: held_unrest above unrest_bound; else empty")
 COLUMN(std::string, cause, "", "why a finer step or Bullet leads elsewhere, by more than exploit_bound or to another outcome; empty if none does. chaos: so does a nudge; else time step: half or an eighth of it does; else engine: only Bullet does")
 END_TABLE
 
@@ -327,6 +328,7 @@ COLUMN(Maybe, half_change_largest, "1", "largest half_change")
 COLUMN(Maybe, bullet_change_median, "1", "median of bullet_change")
 COLUMN(Maybe, bullet_change_largest, "1", "largest bullet_change")
 COLUMN(Maybe, height_change_largest, "cell", "largest difference of bullet_rest_height from rest_height")
+COLUMN(Maybe, held_unrest_largest, "cell/t.u.", "largest held_unrest")
 COLUMN(int, flagged, "runs", "champions with a flag")
 COLUMN(int, chaotic, "runs", "champions with the cause chaos")
 COLUMN(int, stepped, "runs", "champions with the cause time step")

@@ -3,10 +3,16 @@
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
+#include "evaluation/live.h"
 #include "experiment/run.h"
 #include "record/csv.h"
+#include "record/genome_table.h"
+#include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <span>
 
 using namespace planula;
 namespace tt = boost::test_tools;
@@ -23,7 +29,7 @@ Life moved(double distance, Outcome outcome = Outcome::viable) {
 /// At an eighth of the step it lives as at half of it, nudged or not, unless given.
 WitnessRow row_of(const Life &native, const Life &half, const Life &bullet, std::vector<Life> nudged = {}) {
     return witness_row(fake_spec("water", 1, 1), champion, 7,
-                       {native, half, half, bullet, std::move(nudged)});
+                       {native, half, half, bullet, std::move(nudged), 0});
 }
 
 Spec swimmers() {
@@ -68,10 +74,52 @@ BOOST_AUTO_TEST_CASE(a_champion_that_the_time_step_made_is_flagged) {
     BOOST_TEST(burst.half_outcome == "exploded");
 }
 
+BOOST_AUTO_TEST_CASE(a_champion_that_stirs_while_its_muscles_hold_still_is_flagged) {
+    const auto flag = [](double half, double unrest) {
+        return witness_row(fake_spec("water", 1, 1), champion, 7,
+                           {moved(20), moved(half), moved(20), moved(20), {}, unrest})
+            .flag;
+    };
+    BOOST_TEST(flag(20, 0.99) == "");
+    BOOST_TEST(flag(20, 1.01) == "perpetual motion");
+    BOOST_TEST(flag(10, 1.01) == "integration exploit");
+}
+
+BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscles_hold_still) {
+    // Champions of a law of self-collision that fed them: they swam 6 cells by trembling at up to 13 cells/t.u.
+    // Now they hold a posture, and their way does not hang on the time step.
+    for (const char *name : {"arch", "knot"}) {
+        const auto folder = std::filesystem::path(PLANULA_SOURCE_DIR) / "tests/golden/tremblers" / name;
+        const Genome genome = genome_of(read_table<GenomeRow>(folder));
+        Conditions conditions{.actuation = Actuation::grn, .environment = specimens::water()};
+        conditions.actuation_range = conditions.parameters.actuation_range_aquatic;
+        BOOST_TEST(held_unrest(genome, conditions) < 0.05, name);
+        const double way = live(genome, conditions).displacement();
+        BOOST_TEST(way > 0.1, name);
+        conditions.refinement = 2;
+        BOOST_TEST(live(genome, conditions).displacement() == way, tt::tolerance(0.02));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_muscles_do_is_not_unrest) {
+    // A swimmer stirs to the end of its life, and no longer once its muscles hold still.
+    const Conditions conditions{.actuation_range = 0.4, .environment = specimens::water()};
+    const Genome genome = specimens::lump_genome(Actuation::oscillator, 6);
+    std::vector<Vec2d> before;
+    double beating = 0;
+    live(genome, conditions, {.move = [&](int, std::span<const Vec2d> nodes, std::span<const double>) {
+             for (std::size_t i = 0; i < before.size(); ++i)
+                 beating = std::max(beating, length(nodes[i] - before[i]) / conditions.parameters.time_step);
+             before.assign(nodes.begin(), nodes.end());
+         }});
+    BOOST_TEST(beating > 1);
+    BOOST_TEST(held_unrest(genome, conditions) < 0.05);
+}
+
 BOOST_AUTO_TEST_CASE(the_cause_is_chaos_before_the_step_before_the_engine) {
     const auto cause = [](double half, double eighth, const Life &bullet, std::vector<Life> nudged) {
         return witness_row(fake_spec("water", 1, 1), champion, 7,
-                           {moved(20), moved(half), moved(eighth), bullet, std::move(nudged)})
+                           {moved(20), moved(half), moved(eighth), bullet, std::move(nudged), 0})
             .cause;
     };
     const std::vector<Life> steady{moved(20.5), moved(19.5)}, wild{moved(20), moved(26)};
@@ -83,8 +131,9 @@ BOOST_AUTO_TEST_CASE(the_cause_is_chaos_before_the_step_before_the_engine) {
     BOOST_TEST(cause(20, 20, moved(30), {moved(20), moved(0, Outcome::exploded)}) == "chaos");
     BOOST_TEST(cause(20, 20, moved(0, Outcome::never_settled), steady) == "engine");
     // A nudge is measured where it is made: at the finest step.
-    const WitnessRow row = witness_row(fake_spec("water", 1, 1), champion, 7,
-                                       {moved(20), moved(15), moved(10), moved(20), {moved(10.5), moved(9)}});
+    const WitnessRow row =
+        witness_row(fake_spec("water", 1, 1), champion, 7,
+                    {moved(20), moved(15), moved(10), moved(20), {moved(10.5), moved(9)}, 0});
     BOOST_TEST(row.nudged_change == 0.1, tt::tolerance(1e-12));
     BOOST_TEST(row.eighth_change == 0.5, tt::tolerance(1e-12));
 }

@@ -32,3 +32,14 @@ BOOST_AUTO_TEST_CASE(the_centre_of_nothing_is_the_origin) {
     BOOST_TEST((centre_of_mass({}) == Vec2d{}));
     BOOST_TEST((centre_of_mass(std::vector<Vec2d>{{1, 2}, {3, 6}}) == Vec2d{2, 4}));
 }
+
+BOOST_AUTO_TEST_CASE(what_moves_as_a_whole_has_no_unrest) {
+    // Drift (3, -1) and a turn of 2 about the centre; then one of them moves within.
+    const std::vector<Vec2d> points{{1, 0}, {-1, 0}, {0, 2}, {0, -2}};
+    std::vector<Vec2d> velocities;
+    for (const Vec2d p : points) velocities.push_back(Vec2d{3, -1} + Vec2d{-p.y, p.x} * 2.0);
+    BOOST_TEST(unrest(points, velocities) < 1e-12);
+    velocities[0].x += 0.4, velocities[1].x -= 0.4;
+    BOOST_TEST(unrest(points, velocities) == 0.4, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(unrest({}, {}) == 0);
+}

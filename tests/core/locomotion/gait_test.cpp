@@ -5,7 +5,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 using namespace planula;
 
@@ -28,4 +32,25 @@ BOOST_AUTO_TEST_CASE(cells_in_accord_change_a_rest_length_by_the_whole_range) {
     BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, -1), elongation(0.4, 1, -1)) == 1.2, near);
     BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, 1), elongation(0.4, 1, -1)) == 2);
     BOOST_TEST(actuated_length(2.0, elongation(0.4, 0.5, 1), elongation(0.4, 0.5, 0)) == 2.2, near);
+}
+
+BOOST_AUTO_TEST_CASE(a_held_gait_stays_as_it_is) {
+    struct Clock : Gait {
+        void signals(int t, std::span<double> signal) override {
+            ++asked;
+            std::fill(signal.begin(), signal.end(), 0.001 * t);
+        }
+        int asked = 0;
+    };
+    auto own = std::make_unique<Clock>();
+    const Clock &clock = *own;
+    const auto held = hold(std::move(own), 25);
+    std::vector<double> signal(3), seen;
+    for (int t = 0; t <= 60; t += 10) {
+        held->signals(t, signal);
+        BOOST_TEST((signal[0] == signal[1] && signal[1] == signal[2]));
+        seen.push_back(signal[0]);
+    }
+    BOOST_TEST(seen == (std::vector<double>{0, 0.01, 0.02, 0.03, 0.03, 0.03, 0.03}));
+    BOOST_TEST(clock.asked == 4);
 }
