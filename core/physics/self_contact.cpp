@@ -7,10 +7,9 @@
 
 namespace planula {
 
-template <class T>
-Touch<T> touch_of(const SoftBodyModel &model, std::size_t contact_cell, int link, Points<T> positions) {
+template <class T> Touch<T> touch_of(const SoftBodyModel &model, int cell, int link, Points<T> positions) {
     const Parameters &p = model.parameters;
-    const int cell = model.contact_cells[contact_cell], a = model.outline[link].a, b = model.outline[link].b;
+    const int a = model.outline[link].a, b = model.outline[link].b;
     const auto foot = foot_on_segment(positions[cell], positions[a], positions[b]);
     const Vec2<T> force = contact_force(positions[cell] - foot.point, static_cast<T>(p.contact_stiffness),
                                         static_cast<T>(p.contact_radius));
@@ -19,8 +18,8 @@ Touch<T> touch_of(const SoftBodyModel &model, std::size_t contact_cell, int link
     return {cell, a, b, force, -force * (1 - foot.t), -force * foot.t};
 }
 
-template Touch<float> touch_of(const SoftBodyModel &, std::size_t, int, Points<float>);
-template Touch<double> touch_of(const SoftBodyModel &, std::size_t, int, Points<double>);
+template Touch<float> touch_of(const SoftBodyModel &, int, int, Points<float>);
+template Touch<double> touch_of(const SoftBodyModel &, int, int, Points<double>);
 
 template <class T> void SelfContact<T>::load(const SoftBodyModel &model) {
     model_ = &model;
@@ -33,7 +32,7 @@ void SelfContact<T>::add_forces(std::span<const Vec2<T>> positions, std::span<Ve
     if (list_is_stale(positions)) make_list(positions);
     for (std::size_t cell = 0; cell < model_->contact_cells.size(); ++cell)
         for (int i = first_[cell]; i < first_[cell + 1]; ++i) {
-            const auto touch = touch_of<T>(*model_, cell, candidates_[i], positions);
+            const auto touch = touch_of<T>(*model_, model_->contact_cells[cell], candidates_[i], positions);
             forces[touch.cell] += touch.on_cell;
             forces[touch.a] += touch.on_a;
             forces[touch.b] += touch.on_b;

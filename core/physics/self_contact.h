@@ -27,10 +27,8 @@ template <class T> struct Touch {
     Vec2<T> on_cell, on_a, on_b;
 };
 
-/// The law for a contact cell (its place in model.contact_cells) and an unmasked outline link; the forces are 0
-/// out of reach.
-template <class T>
-Touch<T> touch_of(const SoftBodyModel &model, std::size_t contact_cell, int link, Points<T> positions);
+/// The law for a contact cell and an unmasked outline link; the forces are 0 out of reach.
+template <class T> Touch<T> touch_of(const SoftBodyModel &model, int cell, int link, Points<T> positions);
 
 /// Finds the pairs that touch. Those that may meet soon are kept in a list (Verlet) that is made again when a node has moved by half its skin; the forces are those of a search over all pairs, to the bit.
 template <class T> class SelfContact {

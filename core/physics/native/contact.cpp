@@ -23,6 +23,7 @@ void Contact::load(const Layout &layout, const Kernel &kernel) {
     const std::size_t links = layout.outline.size() * group_size;
     circle_x_.resize(links), circle_y_.resize(links), circle_squared_radius_.resize(links);
     inside_.resize(layout.outline.size());
+    find_unmasked();
 }
 
 std::span<const Touch<float>> Contact::touches(const Record *now) {
@@ -32,21 +33,33 @@ std::span<const Touch<float>> Contact::touches(const Record *now) {
     float moved = listed_at_.empty() ? skin : motion(listed_at_, now);
     if (!(moved < skin)) make_list(now), moved = 0;
 
-    squared_.resize(pairs_.size() * group_size);
-    const float least =
-        kernel_->measure_pairs(pairs_.data(), static_cast<int>(pairs_.size()), now, squared_.data());
+    near_.resize(pairs_.size());
+    const int groups = static_cast<int>(pairs_.size());
+    const float least = kernel_->measure_pairs(pairs_.data(), groups, now, reach_ * reach_, near_.data());
     touches_.clear();
     if (least < reach_ * reach_)
-        for (std::size_t cell = 0; cell + 1 < first_.size(); ++cell)
-            for (int i = first_[cell]; i < first_[cell + 1]; ++i)
-                if (squared_[i] < reach_ * reach_)
-                    touches_.push_back(touch_of<float>(layout_->model, cell, links_[i], {&now->x, 4}));
+        for (std::size_t group = 0; group < near_.size(); ++group)
+            for (unsigned bits = near_[group]; bits != 0; bits &= bits - 1) {
+                const std::size_t pair = group * group_size + std::countr_zero(bits);
+                if (pair >= links_.size()) break;
+                touches_.push_back(touch_of<float>(layout_->model, cells_[pair], links_[pair], {&now->x, 4}));
+            }
 
     // Pairs that are not listed were farther apart than reach and skin.
     clearance_ = std::min(std::sqrt(least) - reach_, skin - moved) - margin;
     searched_at_.clear();
     if (clearance_ > 0) searched_at_.assign(now, now + end_node_);
     return touches_;
+}
+
+void Contact::find_unmasked() {
+    const SoftBodyModel &model = layout_->model;
+    unmasked_.assign(model.contact_cells.size() * layout_->outline.size(), 0);
+    for (std::size_t cell = 0; cell < model.contact_cells.size(); ++cell)
+        for (std::size_t link = 0; link < model.outline.size(); ++link) {
+            const int bit = model.is_masked(cell, link) ? 0 : 1 << link % group_size;
+            unmasked_[cell * layout_->outline.size() + link / group_size] |= static_cast<unsigned char>(bit);
+        }
 }
 
 void Contact::make_list(const Record *now) {
@@ -56,31 +69,28 @@ void Contact::make_list(const Record *now) {
                           circle_y_.data(), circle_squared_radius_.data());
     const Circles circles{circle_x_.data(), circle_y_.data(), circle_squared_radius_.data(), groups};
 
-    first_.assign(1, 0), links_.clear(), pairs_.clear();
+    cells_.clear(), links_.clear();
     const SoftBodyModel &model = layout_->model;
-    const int links = static_cast<int>(model.outline.size());
     for (std::size_t cell = 0; cell < model.contact_cells.size(); ++cell) {
         const int node = model.contact_cells[cell];
         kernel_->find_circles(circles, now[node], inside_.data());
+        const unsigned char *unmasked = &unmasked_[cell * inside_.size()];
         for (int group = 0; group < groups; ++group)
-            for (unsigned bits = inside_[group]; bits != 0; bits &= bits - 1) {
-                const int link = group * group_size + std::countr_zero(bits);
-                if (link < links && !model.is_masked(cell, static_cast<std::size_t>(link)))
-                    list_pair(node, link);
-            }
-        first_.push_back(static_cast<int>(links_.size()));
+            for (unsigned bits = inside_[group] & unmasked[group]; bits != 0; bits &= bits - 1)
+                cells_.push_back(node), links_.push_back(group * group_size + std::countr_zero(bits));
     }
+    group_pairs();
 }
 
-/// The rest of the last group is filled with its first pair.
-void Contact::list_pair(int cell, int link) {
-    const std::size_t place = links_.size() % group_size;
-    links_.push_back(link);
-    if (place == 0) pairs_.emplace_back();
-    const OutlineLink &l = layout_->model.outline[link];
-    PairGroup &group = pairs_.back();
-    for (std::size_t i = place; i < (place == 0 ? group_size : place + 1); ++i)
-        group.cell[i] = place_of(cell), group.a[i] = place_of(l.a), group.b[i] = place_of(l.b);
+void Contact::group_pairs() {
+    pairs_.resize((links_.size() + group_size - 1) / group_size);
+    for (std::size_t place = 0; place < pairs_.size() * group_size; ++place) {
+        const std::size_t pair = place < links_.size() ? place : 0, lane = place % group_size;
+        const OutlineLink &link = layout_->model.outline[links_[pair]];
+        PairGroup &group = pairs_[place / group_size];
+        group.cell[lane] = place_of(cells_[pair]);
+        group.a[lane] = place_of(link.a), group.b[lane] = place_of(link.b);
+    }
 }
 
 float Contact::motion(const std::vector<Record> &then, const Record *now) const {

@@ -21,8 +21,9 @@ class Contact {
     std::span<const Touch<float>> touches(const Record *now);
 
   private:
+    void find_unmasked();
     void make_list(const Record *now);
-    void list_pair(int cell, int link);
+    void group_pairs();
     float motion(const std::vector<Record> &then, const Record *now) const;
 
     const Layout *layout_ = nullptr;
@@ -34,11 +35,11 @@ class Contact {
     float clearance_ = 0;               // with so much lacking until the first could touch
     std::vector<float> circle_x_, circle_y_, circle_squared_radius_; // per outline link
     std::vector<unsigned char> inside_;
+    std::vector<unsigned char> unmasked_; // groups of outline links × contact cells, a row per cell
 
-    std::vector<int> first_;       // of contact cell i in links_; one more than there are cells
-    std::vector<int> links_;       // outline links, ascending for each cell
-    std::vector<PairGroup> pairs_; // the same with their cells
-    std::vector<float> squared_;   // distance of each pair
+    std::vector<int> cells_, links_;  // of each listed pair: nodes ascending, the links of each ascending
+    std::vector<PairGroup> pairs_;    // the same; the last group is filled up with the first pair
+    std::vector<unsigned char> near_; // per group, the pairs that touch
     std::vector<Touch<float>> touches_;
 };
 

@@ -81,8 +81,10 @@ struct Kernel {
                          float *y, float *squared_radius);
     /// The circles that hold a node: bit i of inside[group] for the i-th of the group.
     void (*find_circles)(const Circles &circles, const Record &node, unsigned char *inside);
-    /// Squared distance of each pair; returns the least.
-    float (*measure_pairs)(const PairGroup *pairs, int group_count, const Record *now, float *squared);
+    /// The pairs nearer than a distance: bit i of near[group] for the i-th of the group. Returns the least of all
+    /// squared distances.
+    float (*measure_pairs)(const PairGroup *pairs, int group_count, const Record *now, float squared_distance,
+                           unsigned char *near);
 };
 
 /// Those that this build has and this processor runs, narrowest first; "scalar" is always there.

@@ -192,17 +192,20 @@ template <class T>
 
 template <class T>
 [[gnu::flatten]] float measure_pairs(const PairGroup *pairs, int group_count, const Record *now,
-                                     float *squared) {
+                                     float squared_distance, unsigned char *near) {
     T least(__builtin_inff());
-    for (int i = 0; i < group_count; ++i)
+    for (int i = 0; i < group_count; ++i) {
+        unsigned bits = 0;
         for (int lane = 0; lane < group_size; lane += T::width) {
             const Vec2<T> p = load_nodes<T>(now, pairs[i].cell + lane).position;
             const Vec2<T> a = load_nodes<T>(now, pairs[i].a + lane).position;
             const Vec2<T> b = load_nodes<T>(now, pairs[i].b + lane).position;
-            const T distance = squared_length(p - foot_on_segment(p, a, b).point);
-            store(distance, squared + i * group_size + lane);
-            least = min(least, distance);
+            const T squared = squared_length(p - foot_on_segment(p, a, b).point);
+            bits |= bits_of<T>(squared < T(squared_distance)) << lane;
+            least = min(least, squared);
         }
+        near[i] = static_cast<unsigned char>(bits);
+    }
     return least_of(least);
 }
 
