@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From the directories of runs to what the paper shows: tidy tables, the claims with their verdicts, and
-// frames of re-lived individuals (MODEL section 9). An experiment states which claims and samples it wants;
+// frames of re-lived individuals (decision 0015). An experiment states which claims and samples it wants;
 // the arithmetic is here and in core/statistics. Where data are missing the tables say so: a setting without
 // runs has no rows, and a claim whose data are not all there is open.
 //

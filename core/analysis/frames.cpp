@@ -106,7 +106,7 @@ class Camera {
     Camera(const Spec &spec, FrameTables &tables)
         : spec_(spec), tables_(tables), growth_(growth_steps(spec.parameters)),
           gait_(gait_steps(spec.parameters)) {
-        // The first picture is the zygote, before its first decision (MODEL D2).
+        // The first picture is the zygote, before its first decision (decision 0003).
         tables_.draw(frame("growth", 0, 0), positions(zygote(0)), {}, {}, {});
     }
 

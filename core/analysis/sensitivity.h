@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How much hangs on a number: individuals that evolved with the standard value of a parameter live again with
 // another. What their displacement and viability become tells whether a value that nobody published decides
-// the results (MODEL: every value marked `ours`). Evolution is not repeated, so this is what the value does
+// the results (every value of origin `ours`). Evolution is not repeated, so this is what the value does
 // to bodies and gaits that suit the standard one, not to what would have evolved with the other.
 #pragma once
 

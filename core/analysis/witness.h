@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An independent witness: every champion, the best individual of its run, is lived again in the native
-// engine, there at half and at an eighth of the time step, and in Bullet (MODEL section 8). A champion that
+// engine, there at half and at an eighth of the time step, and in Bullet (decision 0017). A champion that
 // half the step undoes is flagged as an integration exploit. In one more life the muscles then hold still for
 // as long again: what moves within the body at the end of that is fed by the model and not by muscles, and the
 // champion is flagged as perpetual motion. Where a life differs, the cause is named. At an

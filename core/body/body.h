@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The finished morphology: growth's gift to physics, constant (§2.5; MODEL section 3). All measures are taken
-// from the one triangulation at the end of development, so the body is in equilibrium there.
+// The finished morphology: growth's gift to physics, constant (§2.5; decisions 0006 to 0010). All
+// measures are taken from the one triangulation at the end of development, so the body is in equilibrium
+// there.
 #pragma once
 
 #include "body/mesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The neighbourhood of cells, in embryos and bodies alike (§2.1; MODEL D7, D7a): the Delaunay triangulation
+// The neighbourhood of cells, in embryos and bodies alike (§2.1; decision 0004): the Delaunay triangulation
 // without links longer than 150 % of a cell diameter, except where such a link holds the body together.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How one child is made: its parents, their crossover, its mutation, and what is done against clones and dead
-// ends (§2.7.1; MODEL section 6, "Child" and "Mating").
+// ends (§2.7.1; decision 0013).
 #pragma once
 
 #include "base/random.h"

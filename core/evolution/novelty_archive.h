@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The archive of novelty search and what it is for: neighbours in the space of behaviours (Lehman & Stanley
-// 2011; §2.7.2; MODEL section 7). An invalid individual is as if it did not exist.
+// 2011; §2.7.2; decision 0014). An invalid individual is as if it did not exist.
 //
 // The archive's threshold follows the pressure on it: a long unbroken run of additions raises it, a long time
 // without any lowers it, never below its floor. The archive only grows.

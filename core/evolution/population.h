@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A population in species, and the one that a run starts with (§2.7; MODEL section 6). The next one is made
+// A population in species, and the one that a run starts with (§2.7; decision 0013). The next one is made
 // of it by evolution/reproduce.h.
 //
 // Slot order is the order of everything: species in list order, members as placed. genomes[i] is slot i.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two parents, one child: crossover aligned by innovation (§2.7.1; MODEL section 6, "Mating").
+// Two parents, one child: crossover aligned by innovation (§2.7.1; decision 0013).
 #pragma once
 
 #include "base/random.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How far apart two genomes are: δ = excess + disjoint + 1.5 · mean |Δw| of the matching links, with the
-// coefficients of the parameters and *not* divided by the size of the genomes (§2.7.1; MODEL section 6). It
+// coefficients of the parameters and *not* divided by the size of the genomes (§2.7.1; decision 0013). It
 // decides who shares a species with whom, who may mate, and what counts as a clone.
 #pragma once
 

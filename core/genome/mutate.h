@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The four mutation operators of NEAT and the draw among them (§2.7.1; MODEL section 6, "Operator"). A split
+// The four mutation operators of NEAT and the draw among them (§2.7.1; decision 0013). A split
 // link is deleted, not disabled; new structure takes its marking from the run's innovations. Networks are
 // either acyclic, every link climbing in depth, or recurrent.
 //

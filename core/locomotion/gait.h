@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Muscles: how the cells change the rest lengths of their springs over time (§2.5, 2.6; MODEL section 4). A
-// gait gives each cell's actuation signal; oscillators and networks are its two kinds. It senses nothing of
-// the moving body.
+// Muscles: how the cells change the rest lengths of their springs over time (§2.5, 2.6; decisions 0011
+// and 0012). A gait gives each cell's actuation signal; oscillators and networks are its two kinds. It
+// senses nothing of the moving body.
 #pragma once
 
 #include "body/body.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The locomotion stage: settle → ramp → move (§2.5, 2.6; MODEL sections 3 and 4).
+// The locomotion stage: settle → ramp → move (§2.5, 2.6; decisions 0008 to 0012).
 #pragma once
 
 #include "body/outcome.h"

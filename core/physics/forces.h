@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The forces on the nodes of one soft body, a family at a time, on the number type of an engine (§2.5; MODEL
-// section 3). Every sum is made in the order of links, triangles, outline and contact cells, so it depends on
-// the body alone. Gravity and the ground are the engine's own.
+// The forces on the nodes of one soft body, a family at a time, on the number type of an engine (§2.5;
+// decisions 0006 to 0010). Every sum is made in the order of links, triangles, outline and contact cells,
+// so it depends on the body alone. Gravity and the ground are the engine's own.
 #pragma once
 
 #include "physics/environment.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The soft body as every engine loads it, constant: point masses of mass 1 at the cells, springs along the
-// links, pressure in the triangles, and who may collide with what (§2.5; MODEL section 3).
+// links, pressure in the triangles, and who may collide with what (§2.5; decisions 0006 to 0010).
 #pragma once
 
 #include "body/mesh.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two-sided Wilcoxon rank-sum (Mann–Whitney) test of the paper's comparisons (§3.2, 3.3; MODEL section
-// 9), with the conventions of R's wilcox.test.
+// The two-sided Wilcoxon rank-sum (Mann–Whitney) test of the paper's comparisons (§3.2, 3.3;
+// decision 0015), with the conventions of R's wilcox.test.
 #pragma once
 
 #include <span>

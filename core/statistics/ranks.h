@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ranks of a sample, for the statistics that look at nothing else (MODEL section 9).
+// Ranks of a sample, for the statistics that look at nothing else (decision 0015).
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Self-collision (§2.5; MODEL B3, decision 0007): a cell and a link push each other apart by a potential of the
+// Self-collision (§2.5; decision 0007): a cell and a link push each other apart by a potential of the
 // distance between them.
 #pragma once
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inelastic contact with the ground and exact Coulomb friction, by projected velocities (§2.5; MODEL section
-// 3).
+// Inelastic contact with the ground and exact Coulomb friction, by projected velocities (§2.5; decision 0010).
 #pragma once
 
 #include "base/vec2.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hydrostatic skeleton: pressure in a triangle grows as it is compressed (§2.5; MODEL B2).
+// The hydrostatic skeleton: pressure in a triangle grows as it is compressed (§2.5; decision 0006).
 #pragma once
 
 #include "base/vec2.h"

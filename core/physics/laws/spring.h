@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hooke's law with damping, and the muscles that change its rest length (§2.5, 2.6; MODEL B1). A law is one
-// template on the number type: a number, or several side by side (base/lanes.h).
+// Hooke's law with damping, and the muscles that change its rest length (§2.5, 2.6; decision 0006). A law
+// is one template on the number type: a number, or several side by side (base/lanes.h).
 #pragma once
 
 #include "base/vec2.h"

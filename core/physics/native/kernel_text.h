@@ -84,7 +84,7 @@ template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const 
             const Vec2<T> push{load<T>(task.push_x + node), load<T>(task.push_y + node)};
             const Vec2<T> force = add_fan(task, task.groups[i], lane, now, self, push);
 
-            // Semi-implicit Euler with the ground in between (MODEL B4).
+            // Semi-implicit Euler with the ground in between (decision 0008).
             Vec2<T> v = (self.velocity + force * time_step) * slowing;
             v.y = v.y - fall;
             if (task.slopes > 0)

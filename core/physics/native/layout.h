@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A soft body laid out for computing several nodes at once (§2.5; MODEL section 3). Nodes lie in groups of 8,
-// whatever the width of the instructions. Each node walks round the fan of its neighbours,
-// counter-clockwise, and sums its own force: every spring is computed at both of its ends, with forces equal
-// and opposite to the bit, and every triangle at its three corners. The order of these sums follows from
-// links and triangles alone: not from coordinates, so that a turned body has the same.
+// A soft body laid out for computing several nodes at once (§2.5; decisions 0006 to 0010). Nodes lie in
+// groups of 8, whatever the width of the instructions. Each node walks round the fan of its neighbours,
+// counter-clockwise, and sums its own force: every spring is computed at both of its ends, with forces
+// equal and opposite to the bit, and every triangle at its three corners. The order of these sums follows
+// from links and triangles alone: not from coordinates, so that a turned body has the same.
 #pragma once
 
 #include "physics/soft_body.h"

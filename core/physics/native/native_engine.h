@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// planula's own engine: float state and semi-implicit Euler, ground contact by projected velocities (MODEL
-// section 3, B4), several nodes at once.
+// planula's own engine: float state and semi-implicit Euler, ground contact by projected velocities
+// (decision 0008), several nodes at once.
 #pragma once
 
 #include "physics/engine.h"

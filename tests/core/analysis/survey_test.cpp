@@ -15,7 +15,7 @@ FakeLife life(int generation, int slot) { return {.fitness = 1.0 + generation + 
 } // namespace
 
 BOOST_AUTO_TEST_CASE(the_median_run_is_the_best_one_below_the_median) {
-    // Ranks from 0: the 11th of 20 (MODEL section 9).
+    // Ranks from 0: the 11th of 20 (decision 0015).
     BOOST_TEST(rank_below_median(20) == 10u);
     BOOST_TEST(rank_below_median(2) == 1u);
     BOOST_TEST(rank_below_median(3) == 2u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rules of development on whole embryos (MODEL sections 1 and 2): degenerate shapes, limits, what is read
+// The rules of development on whole embryos (decisions 0001 to 0005): degenerate shapes, limits, what is read
 // when, and equal bits.
 #include "development/grow.h"
 

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(development_alone_says_of_a_body_what_the_whole_life_says) 
 }
 
 BOOST_AUTO_TEST_CASE(a_body_without_muscles_ends_where_it_starts) {
-    // MODEL: what nothing moves moves less than 1e-3 cells; pressure is rounded at each corner of a triangle.
+    // What nothing moves moves less than 1e-3 cells; pressure is rounded at each corner of a triangle.
     Genome still = lump_genome(Actuation::grn, 6);
     std::erase_if(still.links,
                   [&](const LinkGene &link) { return link.to == still.inputs + output::spring; });
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(watching_changes_nothing_and_sees_everything) {
 }
 
 BOOST_AUTO_TEST_CASE(half_the_step_moves_a_body_alike) {
-    // MODEL: less than 2 % on fixed specimens.
+    // Less than 2 % on fixed specimens.
     for (const bool on_land : {false, true}) {
         Conditions halved = conditions(Actuation::oscillator, on_land);
         const Genome genome = random_genome(Actuation::oscillator, 33);

@@ -7,7 +7,7 @@ using namespace planula;
 using namespace planula::specimens;
 
 BOOST_AUTO_TEST_CASE(of_passive_bodies_hardly_any_keeps_moving) {
-    // MODEL: at most 0.2 % of random bodies; `make torture` drops thousands.
+    // At most 0.2 % of random bodies; `make torture` drops thousands.
     int bodies = 0;
     for (std::uint64_t number = 0; bodies < 40; ++number)
         if (const auto rest = drop(Actuation::oscillator, number, Parameters{}.settle_limit)) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The rules of MODEL sections 6 and 7 once more, written from their text alone, slowly and without a clever line, so
-// that the searches can be compared with them on random cases: distance, the genes of a child of two parents, who
-// shares a species with whom, novelty and its archive. Each comparison draws case `number` and says in words where
-// the two disagree, "" if nowhere. tests/torture/random_cases.cpp compares as many as one likes.
+// The rules of NEAT and of novelty search (decisions 0013 and 0014) once more, slowly and without a
+// clever line, so that the searches can be compared with them on random cases: distance, the genes of a
+// child of two parents, who shares a species with whom, novelty and its archive. Each comparison draws
+// case `number` and says in words where the two disagree, "" if nowhere. tests/torture/random_cases.cpp
+// compares as many as one likes.
 #pragma once
 
 #include "core/genome/specimens.h"
@@ -20,7 +21,8 @@
 
 namespace planula::obvious {
 
-// ---- The rules -------------------------------------------------------------------------------------------------------
+// ---- The rules
+// -------------------------------------------------------------------------------------------------------
 
 inline std::map<int, LinkGene> by_innovation(const Genome &genome) {
     std::map<int, LinkGene> links;

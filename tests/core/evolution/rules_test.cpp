@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rules of MODEL sections 6 and 7 that show over several generations, worked by hand, and whole populations that must
-// keep them.
+// Rules of NEAT and of novelty search (decisions 0013 and 0014) that show over several generations,
+// worked by hand, and whole populations that must keep them.
 #include "core/evolution/populations.h"
 #include "evolution/novelty_search.h"
 #include "evolution/reproduce.h"

@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_limit_of_settling_includes_the_window) {
 }
 
 BOOST_AUTO_TEST_CASE(constant_actuation_leads_nowhere) {
-    // MODEL: the centre of mass moves less than 0.01 cells in the last 1000 of 4000 steps.
+    // The centre of mass moves less than 0.01 cells in the last 1000 of 4000 steps.
     for (const bool on_land : {false, true}) {
         const Environment environment = on_land ? land() : water();
         const auto model = embody(lattice(6, 3), environment, Parameters{});

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of mechanics on whole bodies: momentum, energy, symmetry and convergence (MODEL section 3,
-// acceptance tests).
+// Laws of mechanics on whole bodies: momentum, energy, symmetry and convergence (decisions 0006 to 0010).
 #include "physics/forces.h"
 
 #include "base/math.h"
@@ -164,7 +163,7 @@ BOOST_AUTO_TEST_CASE(each_family_of_inner_forces_has_no_resultant_and_no_torque)
 }
 
 BOOST_AUTO_TEST_CASE(nothing_pushes_itself_in_empty_space) {
-    // PROMISES: momentum keeps to 1e-5 of its scale over 4000 steps with actuation on; the ring collides with
+    // Momentum keeps to 1e-5 of its scale over 4000 steps with actuation on; the ring collides with
     // itself.
     const Environment environment = empty_space();
     for (const Body &body : {lattice(7, 4), hook()}) {
@@ -210,7 +209,7 @@ BOOST_AUTO_TEST_CASE(without_drag_or_friction_muscles_move_nobody) {
 }
 
 BOOST_AUTO_TEST_CASE(undamped_energy_stays_near_its_start_and_nearer_with_half_the_step) {
-    // MODEL: within 30 % over 4000 steps, and that error halves with dt.
+    // Within 30 % over 4000 steps, and that error halves with dt.
     const Environment environment = empty_space();
     SoftBodyModel model = embody(lattice(6, 3), environment, Parameters{});
     model.parameters.spring_damping = 0;
@@ -234,7 +233,7 @@ BOOST_AUTO_TEST_CASE(undamped_energy_stays_near_its_start_and_nearer_with_half_t
 }
 
 BOOST_AUTO_TEST_CASE(damped_energy_never_rises_without_actuation) {
-    // MODEL: taken every 100 steps, by no more than 1e-3 of its start.
+    // Taken every 100 steps, by no more than 1e-3 of its start.
     for (const Environment &environment : {empty_space(), water()})
         for (const auto &[along, across] : {std::pair(1.15, 0.95), std::pair(0.9, 1.2)}) {
             const auto model = embody(lattice(6, 3), environment, Parameters{});
@@ -327,7 +326,7 @@ BOOST_AUTO_TEST_CASE(a_body_turned_by_quarter_turns_in_water_moves_turned_to_the
 }
 
 BOOST_AUTO_TEST_CASE(a_mirrored_body_moves_mirrored) {
-    // PROMISES: within 1e-4 cells over 200 steps, without self-contact.
+    // Within 1e-4 cells over 200 steps, without self-contact.
     const Environment environment = water();
     Body body = lattice(7, 3);
     for (std::size_t i = 0; i < body.positions.size(); ++i) // no two cells alike, no ties
