@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/lane_sets.h"
 #include "experiment/run.h"
 #include "experiment/signature.h"
-#include "physics/native/kernel.h"
 #include "scripting/commands.h"
 #include "scripting/interrupt.h"
 
@@ -17,7 +17,7 @@ constexpr std::uint64_t signed_seed = 1;
 
 constexpr Option options[] = {
     threads_option,
-    {"lanes", "NAME", "how many numbers the physics works on at once: scalar, sse2, avx2 (default: most)"},
+    {"lanes", "NAME", "how many numbers the kernels work on at once: scalar, sse2, avx2 (default: most)"},
     {"script", "FILE", "the experiment whose settings are signed (default: the paper's replication)"},
 };
 
@@ -25,7 +25,7 @@ int print_signature(const Arguments &arguments, Console &console) {
     const std::string standard = (console.library / "paper" / "replication.lua").string();
     const int threads = threads_of(arguments);
     const std::string lanes = arguments.text("lanes", "");
-    if (!lanes.empty()) native::choose_kernel(lanes);
+    if (!lanes.empty()) choose_lanes(lanes);
     const Experiment experiment =
         load_experiment(arguments.text("script", standard), console.library, signed_size);
     const Interrupt interrupt;

@@ -71,9 +71,7 @@ BOOST_AUTO_TEST_CASE(eq_2_moves_linearly_from_the_last_output_to_the_newest) {
     wire(genome, input::bias, output::spring, 1);
     const Network network = express(genome, 16);
     const Body body = make_body({{0, 0}, {1, 0}}, 1.5);
-    Tissue tissue{.nodes = network.nodes};
-    tissue.activations.assign(2 * static_cast<std::size_t>(network.nodes), 0);
-    tissue.morphogens = {0, 0};
+    const Tissue tissue{Activations(network.nodes, 2), {0, 0}};
     const Parameters p;
     GrnMuscles gait(network, body, tissue, p);
     std::vector<double> signal(2);
@@ -106,10 +104,8 @@ BOOST_AUTO_TEST_CASE(eq_5_is_the_mean_change_between_updates_over_its_largest_po
     add_link(genome, spring, spring, -3);
     const Network network = express(genome, 16);
     const Body body = make_body({{0, 0}}, 1.5);
-    Tissue tissue{.nodes = network.nodes};
-    tissue.activations.assign(static_cast<std::size_t>(network.nodes), 0);
-    tissue.activations[spring] = 0.3;
-    tissue.morphogens = {0};
+    Tissue tissue{Activations(network.nodes, 1), {0}};
+    tissue.activations.at(0, spring) = 0.3;
     Parameters p;
     p.locomotion_steps = 150;
     GrnMuscles gait(network, body, tissue, p);

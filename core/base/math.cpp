@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/math.h"
 
+#include "base/exponential.h"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,43 +15,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// ln 2 and π/2 split so that a small integer times every part but the last is exact.
-constexpr double ln2_high = 0x1.62e42fefa0000p-1, ln2_low = 0x1.cf79abc9e3b39p-40;
+// π/2 split so that a small integer times every part but the last is exact.
 constexpr double half_pi_1 = 0x1.921fb54400000p0, half_pi_2 = 0x1.0b4611a600000p-34,
                  half_pi_3 = 0x1.3198a2e037073p-69;
-
-/// The nearest integer, halves to even, by adding and taking away 1.5 * 2^52; |x| < 2^51.
-double nearest(double x) {
-    constexpr double shift = 0x1.8p52;
-    return (x + shift) - shift;
-}
-
-/// 2^k for -1022 <= k <= 1023.
-double power_of_two(int k) { return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52); }
-
-/// A polynomial by Horner's rule, coefficients from the highest power down.
-template <class... Coefficients> double horner(double x, double first, Coefficients... rest) {
-    double sum = first;
-    ((sum = sum * x + rest), ...);
-    return sum;
-}
-
-/// exp(r) - 1 for |r| <= 0.35: its Taylor series to r^14 (remainder below 2^-57 of the sum).
-double expm1_small(double r) {
-    const double series =
-        horner(r, 1.0 / 87178291200, 1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800,
-               1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720, 1.0 / 120, 1.0 / 24, 1.0 / 6, 1.0 / 2);
-    return r + r * r * series;
-}
-
-/// x = k ln 2 + r with |r| <= ln(2)/2.
-struct ExpReduced {
-    double k, r;
-};
-ExpReduced reduce_exp(double x) {
-    const double k = nearest(x * 1.44269504088896340736);
-    return {k, (x - k * ln2_high) - k * ln2_low};
-}
 
 /// sin and cos for |r| <= π/4 + a little: Taylor series to r^17 and r^18.
 double sin_small(double r) {
@@ -101,8 +69,8 @@ double exp(double x) {
     if (std::isnan(x)) return x;
     const auto [k, r] = reduce_exp(x);
     // The scale is applied in two steps so that neither leaves the range of normal numbers.
-    const int half = static_cast<int>(k) / 2;
-    return (1 + expm1_small(r)) * power_of_two(half) * power_of_two(static_cast<int>(k) - half);
+    const double half = std::trunc(k / 2);
+    return (1 + expm1_small(r)) * power_of_two(half) * power_of_two(k - half);
 }
 
 double log(double x) {
@@ -126,15 +94,7 @@ double log(double x) {
     return k * ln2_high + (f - (half_square - (s * (half_square + series) + k * ln2_low)));
 }
 
-double tanh(double x) {
-    // tanh |x| = e / (e + 2) with e = exp(2|x|) - 1; beyond 20 the result is 1 in double.
-    const double magnitude = std::abs(x) > 20 ? 20 : std::abs(x); // this order keeps NaN
-    if (std::isnan(magnitude)) return x;
-    const auto [k, r] = reduce_exp(2 * magnitude);
-    const double scale = power_of_two(static_cast<int>(k));
-    const double e = scale * expm1_small(r) + (scale - 1);
-    return std::copysign(e / (e + 2), x);
-}
+double tanh(double x) { return tanh_of(x); }
 
 double atan(double x) {
     if (std::isnan(x)) return x;

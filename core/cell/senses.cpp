@@ -2,15 +2,15 @@
 #include "cell/senses.h"
 
 #include "base/math.h"
-#include "cell/channels.h"
 
 namespace planula {
 
-void sense(Vec2d position, double morphogen, double time, const Parameters &p, std::span<double> inputs) {
+std::array<double, input::count> sense(Vec2d position, double morphogen, double time, const Parameters &p) {
     const double d = p.morphogen_distance;
     const auto maternal = [&](Vec2d source) {
         return math::exp(-length(position - source) / p.morphogen_decay);
     };
+    std::array<double, input::count> inputs;
     inputs[input::x] = position.x / p.position_scale;
     inputs[input::y] = position.y / p.position_scale;
     inputs[input::maternal_east] = maternal({d, 0});
@@ -20,9 +20,8 @@ void sense(Vec2d position, double morphogen, double time, const Parameters &p, s
     inputs[input::morphogen] = morphogen;
     inputs[input::time] = time;
     inputs[input::bias] = 1;
+    return inputs;
 }
-
-void sense_morphogen(double morphogen, std::span<double> inputs) { inputs[input::morphogen] = morphogen; }
 
 double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens) {
     double sum = 0;

@@ -4,19 +4,17 @@
 #pragma once
 
 #include "base/vec2.h"
+#include "cell/channels.h"
 #include "parameters/parameters.h"
 
+#include <array>
 #include <span>
 
 namespace planula {
 
-/// Fills the nine inputs. `morphogen` is the mean of the neighbours' morphogen outputs, `time` runs from 0
-/// to 1.
-void sense(Vec2d position, double morphogen, double time, const Parameters &parameters,
-           std::span<double> inputs);
-
-/// Only the morphogen input; all others stay.
-void sense_morphogen(double morphogen, std::span<double> inputs);
+/// The nine inputs. `morphogen` is the mean of the neighbours' morphogen outputs, `time` runs from 0 to 1.
+std::array<double, input::count> sense(Vec2d position, double morphogen, double time,
+                                       const Parameters &parameters);
 
 /// Mean of morphogens[i] over the neighbours, in ascending order; 0 without neighbours.
 double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens);

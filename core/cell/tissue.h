@@ -3,22 +3,15 @@
 // the order of the body's.
 #pragma once
 
-#include <span>
+#include "network/activations.h"
+
 #include <vector>
 
 namespace planula {
 
 struct Tissue {
-    int nodes = 0;                   // of the control network
-    std::vector<double> activations; // cells × nodes, a row per cell
-    std::vector<double> morphogens;  // the last morphogen output of each cell
-
-    std::span<double> row(int cell) {
-        return {activations.data() + static_cast<std::size_t>(cell) * nodes, static_cast<std::size_t>(nodes)};
-    }
-    std::span<const double> row(int cell) const {
-        return {activations.data() + static_cast<std::size_t>(cell) * nodes, static_cast<std::size_t>(nodes)};
-    }
+    Activations activations;        // of the control networks
+    std::vector<double> morphogens; // the last morphogen output of each cell
 };
 
 } // namespace planula

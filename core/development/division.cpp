@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace planula {
 
@@ -38,10 +37,11 @@ void remove_cells(std::span<const char> dying, Embryo &embryo) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < embryo.cells.size(); ++i) {
         if (dying[i]) continue;
-        if (kept != i) embryo.cells[kept] = std::move(embryo.cells[i]);
+        if (kept != i) embryo.cells[kept] = embryo.cells[i];
         ++kept;
     }
     embryo.cells.resize(kept);
+    embryo.activations.remove(dying);
 }
 
 Vec2d daughter_position(Vec2d mother, Vec2d direction, int daughter_id, const Parameters &p) {
@@ -60,7 +60,8 @@ bool divide(int mother, Vec2d direction, const Parameters &p, Embryo &embryo) {
     Cell daughter = embryo.cells[mother];
     daughter.id = embryo.births++;
     daughter.position = place;
-    embryo.cells.push_back(std::move(daughter));
+    embryo.cells.push_back(daughter);
+    embryo.activations.append_copy(mother);
     embryo.largest = std::max(embryo.largest, static_cast<int>(embryo.cells.size()));
     return true;
 }

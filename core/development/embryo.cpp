@@ -6,7 +6,7 @@ namespace planula {
 Embryo zygote(int network_nodes) {
     Embryo embryo;
     embryo.cells.resize(1);
-    embryo.cells[0].activations.assign(static_cast<std::size_t>(network_nodes), 0.0);
+    embryo.activations = Activations(network_nodes, 1);
     embryo.neighbours.resize(1);
     return embryo;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "body/mesh.h"
+#include "network/activations.h"
 
 #include <vector>
 
@@ -12,13 +13,13 @@ namespace planula {
 struct Cell {
     int id = 0; // 0 is the zygote; daughters count on
     Vec2d position, velocity;
-    Vec2d orientation{1, 0};         // unit vector
-    double morphogen = 0;            // the output at the latest decision
-    std::vector<double> activations; // one per node of the network
+    Vec2d orientation{1, 0}; // unit vector
+    double morphogen = 0;    // the output at the latest decision
 };
 
 struct Embryo {
     std::vector<Cell> cells;
+    Activations activations;                  // of the cells' networks
     Mesh mesh;                                // as of the last refresh
     std::vector<std::vector<int>> neighbours; // of each cell in that mesh
     int births = 1;                           // cells created, the zygote included

@@ -24,16 +24,19 @@ bool update_networks(const Network &network, Actuation actuation, double time, c
                      Embryo &embryo) {
     std::vector<double> morphogens;
     for (const Cell &cell : embryo.cells) morphogens.push_back(cell.morphogen);
+    const int cells = static_cast<int>(embryo.cells.size());
     bool finite = true;
-    for (std::size_t i = 0; i < embryo.cells.size(); ++i) {
-        Cell &cell = embryo.cells[i];
-        sense(cell.position, mean_morphogen(embryo.neighbours[i], morphogens), time, parameters,
-              cell.activations);
-        is_recurrent(actuation) ? step(network, cell.activations) : evaluate(network, cell.activations);
-        cell.morphogen = cell.activations[network.inputs + output::morphogen];
-        finite = finite && all_finite(cell.activations);
+    for (int i = 0; i < cells; ++i) {
+        const auto inputs = sense(embryo.cells[i].position, mean_morphogen(embryo.neighbours[i], morphogens),
+                                  time, parameters);
+        for (int node = 0; node < input::count; ++node) embryo.activations.at(i, node) = inputs[node];
+        finite = finite && all_finite(inputs);
     }
-    return finite;
+    Activations &activations = embryo.activations;
+    const bool sound = is_recurrent(actuation) ? step(network, activations) : evaluate(network, activations);
+    for (int i = 0; i < cells; ++i)
+        embryo.cells[i].morphogen = activations.at(i, network.inputs + output::morphogen);
+    return finite && sound;
 }
 
 /// One decision: all networks → deaths → divisions in ascending id (§2.3). Returns how it ended.
@@ -48,12 +51,14 @@ Outcome decide(const Network &network, Actuation actuation, double time, const P
     };
     std::vector<Wish> wishes;
     std::vector<char> dying;
-    for (std::size_t i = 0; i < embryo.cells.size(); ++i) {
-        const double *outputs = embryo.cells[i].activations.data() + network.inputs;
-        dying.push_back(outputs[output::apoptosis] > 0);
-        if (!dying.back() && !(outputs[output::division_inhibitor] > 0))
-            wishes.push_back({embryo.cells[i].id, division_direction(embryo, static_cast<int>(i),
-                                                                     outputs[output::division_angle])});
+    for (int i = 0; i < static_cast<int>(embryo.cells.size()); ++i) {
+        const auto output_of = [&](output::Channel channel) {
+            return embryo.activations.at(i, network.inputs + channel);
+        };
+        dying.push_back(output_of(output::apoptosis) > 0);
+        if (!dying.back() && !(output_of(output::division_inhibitor) > 0))
+            wishes.push_back(
+                {embryo.cells[i].id, division_direction(embryo, i, output_of(output::division_angle))});
     }
     remove_cells(dying, embryo);
 
@@ -115,12 +120,9 @@ Outcome develop(const Network &network, Actuation actuation, const Parameters &p
     return is_sound(positions(embryo)) ? Outcome::viable : Outcome::exploded;
 }
 
-Tissue read_tissue(const Network &network, const Embryo &embryo) {
-    Tissue tissue{.nodes = network.nodes};
-    for (const Cell &cell : embryo.cells) {
-        tissue.activations.insert(tissue.activations.end(), cell.activations.begin(), cell.activations.end());
-        tissue.morphogens.push_back(cell.morphogen);
-    }
+Tissue read_tissue(const Embryo &embryo) {
+    Tissue tissue{embryo.activations, {}};
+    for (const Cell &cell : embryo.cells) tissue.morphogens.push_back(cell.morphogen);
     return tissue;
 }
 
@@ -145,7 +147,7 @@ Growth grow(const Network &network, Actuation actuation, const Parameters &param
         growth.outcome = Outcome::exploded;
     else if (growth.cells < parameters.minimum_cells)
         growth.outcome = Outcome::too_small;
-    growth.tissue = read_tissue(network, embryo);
+    growth.tissue = read_tissue(embryo);
     return growth;
 }
 

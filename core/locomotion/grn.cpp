@@ -12,8 +12,10 @@ GrnMuscles::GrnMuscles(const Network &network, const Body &body, const Tissue &t
                        const Parameters &parameters)
     : network_(network), parameters_(parameters), neighbours_(neighbours(body.mesh, body.cells())),
       tissue_(tissue), previous_(body.positions.size(), 0.0), newest_(body.positions.size(), 0.0) {
-    for (int cell = 0; cell < body.cells(); ++cell)
-        sense(body.positions[cell], 0, 1, parameters, tissue_.row(cell));
+    for (int cell = 0; cell < body.cells(); ++cell) {
+        const auto inputs = sense(body.positions[cell], 0, 1, parameters);
+        for (int node = 0; node < input::count; ++node) tissue_.activations.at(cell, node) = inputs[node];
+    }
 }
 
 void GrnMuscles::signals(int t, std::span<double> signal) {
@@ -35,15 +37,16 @@ double GrnMuscles::activity() const {
 
 void GrnMuscles::update() {
     // All cells read the morphogens of the update before.
-    const std::vector<double> morphogens = tissue_.morphogens;
-    previous_ = newest_;
-    for (std::size_t i = 0; i < newest_.size(); ++i) {
-        const std::span<double> activations = tissue_.row(static_cast<int>(i));
-        sense_morphogen(mean_morphogen(neighbours_[i], morphogens), activations);
-        step(network_, activations);
-        tissue_.morphogens[i] = activations[network_.inputs + output::morphogen];
-        newest_[i] = activations[network_.inputs + output::spring];
-        for (const double activation : activations) sound_ = sound_ && std::isfinite(activation);
+    Activations &activations = tissue_.activations;
+    const int cells = activations.cells();
+    for (int i = 0; i < cells; ++i)
+        activations.at(i, input::morphogen) = mean_morphogen(neighbours_[i], tissue_.morphogens);
+    sound_ = step(network_, activations) && sound_;
+
+    previous_.swap(newest_);
+    for (int i = 0; i < cells; ++i) {
+        tissue_.morphogens[i] = activations.at(i, network_.inputs + output::morphogen);
+        newest_[i] = activations.at(i, network_.inputs + output::spring);
         if (updates_ > 0) change_ += std::abs(newest_[i] - previous_[i]);
     }
     ++updates_;

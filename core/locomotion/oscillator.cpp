@@ -8,10 +8,12 @@ namespace planula {
 std::vector<Oscillator> read_oscillators(const Network &network, const Tissue &tissue, const Parameters &p) {
     std::vector<Oscillator> oscillators;
     for (int cell = 0; cell < static_cast<int>(tissue.morphogens.size()); ++cell) {
-        const std::span<const double> outputs = tissue.row(cell).subspan(network.inputs);
-        const double share = (outputs[output::period] + 1) / 2;
+        const auto output_of = [&](output::Channel channel) {
+            return tissue.activations.at(cell, network.inputs + channel);
+        };
+        const double share = (output_of(output::period) + 1) / 2;
         oscillators.push_back({p.period_shortest + share * (p.period_longest - p.period_shortest),
-                               math::pi * outputs[output::phase]});
+                               math::pi * output_of(output::phase)});
     }
     return oscillators;
 }

@@ -2,7 +2,7 @@
 #include "network/network.h"
 
 #include "base/check.h"
-#include "base/math.h"
+#include "network/kernel.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -32,6 +32,18 @@ int longest_path(const Network &network, int limit) {
     return std::max(0, *std::max_element(outputs, outputs + network.outputs));
 }
 
+/// So many synchronous steps.
+bool advance(const Network &network, int steps, Activations &activations) {
+    CHECK(activations.nodes() == network.nodes, activations.nodes(), network.nodes);
+    const int targets = network.nodes - network.inputs;
+    thread_local std::vector<double> next;
+    next.resize(static_cast<std::size_t>(targets) * Activations::group_size);
+    const neural::Task task{
+        network.inputs,      targets,    network.sources.data(), network.first_source.data(), steps,
+        activations.cells(), next.data()};
+    return neural::kernel_for(chosen_lanes())(task, activations.values());
+}
+
 } // namespace
 
 Network express(const Genome &genome, int propagation_limit) {
@@ -54,21 +66,12 @@ Network express(const Genome &genome, int propagation_limit) {
     return network;
 }
 
-void step(const Network &network, std::span<double> activations) {
-    thread_local std::vector<double> next;
-    next.clear();
-    for (int row = 0; row < network.nodes - network.inputs; ++row) {
-        double sum = 0;
-        for (int s = network.first_source[row]; s < network.first_source[row + 1]; ++s)
-            sum += network.sources[s].weight * activations[network.sources[s].node];
-        next.push_back(math::tanh(sum));
-    }
-    std::copy(next.begin(), next.end(), activations.begin() + network.inputs);
-}
+bool step(const Network &network, Activations &activations) { return advance(network, 1, activations); }
 
-void evaluate(const Network &network, std::span<double> activations) {
-    std::fill(activations.begin() + network.inputs, activations.end(), 0.0);
-    for (int i = 0; i < network.depth; ++i) step(network, activations);
+bool evaluate(const Network &network, Activations &activations) {
+    for (int node = network.inputs; node < network.nodes; ++node)
+        for (int cell = 0; cell < activations.cells(); ++cell) activations.at(cell, node) = 0;
+    return advance(network, network.depth, activations);
 }
 
 } // namespace planula

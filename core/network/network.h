@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The control network of one genome, constant, and the activations of one cell's copy of it (§2.1, 2.2; MODEL
-// section 2). Every node but the inputs computes tanh of the weighted sum of its sources; there is no node
-// bias. A network knows neither what its inputs mean nor who owns its activations.
+// The control network of one genome, constant, and how it moves the activations of many cells' copies of it (§2.1,
+// 2.2; MODEL section 2). Every node but the inputs computes tanh of the weighted sum of its sources; there is no
+// node bias. A network knows neither what its inputs mean nor who owns its activations.
 #pragma once
 
 #include "genome/genome.h"
+#include "network/activations.h"
 
-#include <span>
 #include <vector>
 
 namespace planula {
@@ -27,11 +27,12 @@ struct Network {
 /// The network that a genome describes. `propagation_limit` caps the depth.
 Network express(const Genome &genome, int propagation_limit);
 
-/// One synchronous step: every link reads its source's old activation. `activations` holds one value per
-/// node; the inputs must be set before.
-void step(const Network &network, std::span<double> activations);
+/// One synchronous step in all cells: every link reads its source's old activation. The inputs must be set before.
+/// Returns whether all activations but the inputs are finite then.
+bool step(const Network &network, Activations &activations);
 
-/// A stateless evaluation: all activations but the inputs cleared, then as many steps as the network is deep.
-void evaluate(const Network &network, std::span<double> activations);
+/// A stateless evaluation in all cells: all activations but the inputs cleared, then as many steps as the network is
+/// deep. Returns as step().
+bool evaluate(const Network &network, Activations &activations);
 
 } // namespace planula

@@ -36,18 +36,19 @@ struct Task {
 class Controller {
   public:
     Controller(const Genome &genome, bool recurrent)
-        : network_(express(genome, Parameters().propagation_limit)), activations_(network_.nodes),
+        : network_(express(genome, Parameters().propagation_limit)), activations_(network_.nodes, 1),
           recurrent_(recurrent) {}
 
     void operator()(std::span<const double> inputs, std::span<double> outputs) {
-        std::copy(inputs.begin(), inputs.end(), activations_.begin());
+        for (std::size_t i = 0; i < inputs.size(); ++i) activations_.at(0, static_cast<int>(i)) = inputs[i];
         recurrent_ ? step(network_, activations_) : evaluate(network_, activations_);
-        std::copy_n(activations_.begin() + network_.inputs, outputs.size(), outputs.begin());
+        for (std::size_t i = 0; i < outputs.size(); ++i)
+            outputs[i] = activations_.at(0, network_.inputs + static_cast<int>(i));
     }
 
   private:
     Network network_;
-    std::vector<double> activations_;
+    Activations activations_;
     bool recurrent_;
 };
 

@@ -8,7 +8,7 @@ set -euo pipefail
 (($#)) || { echo 'shared_code: no object file' >&2; exit 2; }
 failed=0
 for object in "$@"; do
-    shared=$(nm -C --defined-only "$object" | grep -E '^[0-9a-f]* *[A-Zuvw] ' | grep -v ' T planula::native::[a-z0-9]*_kernel()$' || true)
+    shared=$(nm -C --defined-only "$object" | grep -E '^[0-9a-f]* *[A-Zuvw] ' | grep -v ' T planula::[a-z]*::[a-z0-9]*_kernel()$' || true)
     [[ -z $shared ]] || { printf 'shared_code: %s\n%s\n' "$object" "$shared"; failed=1; }
 done
 exit "$failed"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The native engine's inner loops, one text (kernel_text.h) built for several instruction sets, of which the
-// widest that the processor has is taken at run time. Bits do not depend on which: only time does.
+// The native engine's inner loops, one text (kernel_text.h) built for several instruction sets, of which one is
+// taken at run time (base/lane_sets.h).
 #pragma once
 
+#include "base/lane_sets.h"
 #include "physics/laws/ground.h"
 #include "physics/native/layout.h"
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace planula::native {
@@ -87,12 +87,10 @@ struct Kernel {
                            unsigned char *near);
 };
 
-/// Those that this build has and this processor runs, narrowest first; "scalar" is always there.
+/// One for each of lane_sets(), in that order.
 std::span<const Kernel> kernels();
 
-/// The one that engines made from now on use: the widest, unless chosen otherwise.
+/// The one that engines made from now on use: that of chosen_lanes().
 const Kernel &chosen_kernel();
-/// Throws InputError with the nearest name if there is no such kernel here.
-void choose_kernel(std::string_view name);
 
 } // namespace planula::native

@@ -43,7 +43,7 @@ Sight seen(const Genome &genome, Actuation actuation, int wanted) {
 
 /// A network output of one cell at the end of development.
 double output_of(const Growth &growth, int cell, int channel) {
-    return growth.tissue.row(cell)[input::count + channel];
+    return growth.tissue.activations.at(cell, input::count + channel);
 }
 
 /// tanh of the X input that a cell at this place has.

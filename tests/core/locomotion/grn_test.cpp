@@ -21,9 +21,8 @@ struct Pair {
         add_link(genome, spring, spring, weight);
         wire(genome, input::morphogen, output::morphogen, 1);
         network = express(genome, 16);
-        tissue.nodes = network.nodes;
-        tissue.activations.assign(2 * static_cast<std::size_t>(network.nodes), 0);
-        tissue.row(0)[spring] = first, tissue.row(1)[spring] = second;
+        tissue.activations = Activations(network.nodes, 2);
+        tissue.activations.at(0, spring) = first, tissue.activations.at(1, spring) = second;
         tissue.morphogens = {0.5, -0.25};
     }
     Network network;
@@ -82,7 +81,6 @@ BOOST_AUTO_TEST_CASE(the_first_morphogen_is_averaged_from_the_last_decision_over
     wire(genome, input::morphogen, output::morphogen, 1);
     const Network network = express(genome, 16);
     Pair pair(0, 0, 0);
-    pair.tissue.nodes = network.nodes;
     GrnMuscles gait(network, pair.body, pair.tissue, pair.parameters);
     std::vector<double> signal(2);
     for (int t = 0; t <= 50; t += 10) gait.signals(t, signal);
@@ -94,8 +92,7 @@ BOOST_AUTO_TEST_CASE(the_first_morphogen_is_averaged_from_the_last_decision_over
 
 BOOST_AUTO_TEST_CASE(an_activation_that_is_not_finite_is_noticed) {
     Pair pair(-3, 0.5, 0);
-    pair.tissue.row(1)[input::count + static_cast<int>(output::spring)] =
-        std::numeric_limits<double>::quiet_NaN();
+    pair.tissue.activations.at(1, input::count + output::spring) = std::numeric_limits<double>::quiet_NaN();
     GrnMuscles gait(pair.network, pair.body, pair.tissue, pair.parameters);
     std::vector<double> signal(2);
     BOOST_TEST(gait.is_sound());

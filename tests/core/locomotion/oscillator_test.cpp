@@ -13,14 +13,10 @@ using namespace planula;
 
 BOOST_AUTO_TEST_CASE(outputs_span_the_range_of_periods_and_phases) {
     const Network network = express(specimens::bare_genome(Actuation::oscillator), 16);
-    Tissue tissue{.nodes = network.nodes};
-    for (const double o : {-1.0, 0.0, 1.0}) {
-        std::vector<double> row(static_cast<std::size_t>(network.nodes), 0.0);
-        row[input::count + static_cast<int>(output::period)] = o;
-        row[input::count + static_cast<int>(output::phase)] = o;
-        tissue.activations.insert(tissue.activations.end(), row.begin(), row.end());
-        tissue.morphogens.push_back(0);
-    }
+    Tissue tissue{Activations(network.nodes, 3), {0, 0, 0}};
+    for (int cell = 0; cell < 3; ++cell)
+        for (const output::Channel channel : {output::period, output::phase})
+            tissue.activations.at(cell, input::count + channel) = cell - 1;
     const auto oscillators = read_oscillators(network, tissue, Parameters{});
     BOOST_TEST(oscillators[0].period == 100);
     BOOST_TEST(oscillators[1].period == 250);

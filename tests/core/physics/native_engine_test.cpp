@@ -78,15 +78,13 @@ BOOST_AUTO_TEST_CASE(every_width_of_lanes_gives_the_same_bits) {
     BOOST_TEST(contacts > 20);
 }
 
-BOOST_AUTO_TEST_CASE(kernels_are_chosen_by_name) {
-    const std::string_view widest = native::chosen_kernel().name;
-    BOOST_TEST(widest == native::kernels().back().name);
-    native::choose_kernel("scalar");
-    BOOST_TEST(native::chosen_kernel().name == "scalar"s);
-    BOOST_CHECK_EXCEPTION(native::choose_kernel("skalar"), InputError, [](const InputError &error) {
-        return std::string(error.what()) == "this processor has no lanes 'skalar'; did you mean 'scalar'?";
-    });
-    native::choose_kernel(widest);
+BOOST_AUTO_TEST_CASE(the_kernel_is_that_of_the_chosen_lanes) {
+    const std::string_view widest = name_of(chosen_lanes());
+    for (const LaneSet lanes : lane_sets()) {
+        choose_lanes(name_of(lanes));
+        BOOST_TEST(native::chosen_kernel().name == name_of(lanes));
+    }
+    choose_lanes(widest);
 }
 
 BOOST_AUTO_TEST_CASE(rest_lengths_go_linearly_from_knot_to_knot_and_stay_there) {
