@@ -65,25 +65,75 @@ Triangulation indexed(const Delaunay &mesh) {
     return result;
 }
 
-/// Whether all faces are counter-clockwise and the hull turns nowhere inwards: then it is a triangulation.
-bool is_plane(const Delaunay &mesh) {
-    for (auto face = mesh.finite_faces_begin(); face != mesh.finite_faces_end(); ++face)
-        if (mesh.triangle(face).orientation() != CGAL::COUNTERCLOCKWISE) return false;
-
-    // The circulator goes round the outside, so clockwise.
-    const auto start = mesh.incident_vertices(mesh.infinite_vertex());
-    auto first = start;
-    do {
-        auto second = first, third = ++second;
-        if (CGAL::orientation(first->point(), second->point(), (++third)->point()) == CGAL::LEFT_TURN)
-            return false;
-    } while (++first != start);
+/// Exchanges the edge opposite to corner i of a face for the other diagonal; its ends may be the point at infinity.
+/// False if they are linked already.
+bool exchange(Delaunay &mesh, Delaunay::Face_handle face, int i) {
+    const auto beyond = face->neighbor(i)->vertex(mesh.mirror_index(face, i));
+    if (mesh.tds().is_edge(face->vertex(i), beyond)) return false;
+    mesh.tds().flip(face, i);
     return true;
+}
+
+/// The corner opposite to the longest edge: if a face has turned over, that is the edge it has crossed.
+int crossing_corner(const Delaunay &mesh, Delaunay::Face_handle face) {
+    std::array<double, 3> squared;
+    for (int i = 0; i < 3; ++i) squared[i] = mesh.segment(face, i).squared_length();
+    return static_cast<int>(std::max_element(squared.begin(), squared.end()) - squared.begin());
+}
+
+/// What became of a triangulation whose points have moved.
+enum class Motion { harmless, mended, lost };
+
+/// Exchanges edges that a corner has crossed. Says whether there were none.
+Motion mend_faces(Delaunay &mesh) {
+    Motion motion = Motion::harmless;
+    for (auto face = mesh.finite_faces_begin(); face != mesh.finite_faces_end(); ++face) {
+        if (mesh.triangle(face).orientation() == CGAL::COUNTERCLOCKWISE) continue;
+        if (!exchange(mesh, face, crossing_corner(mesh, face))) return Motion::lost;
+        motion = Motion::mended;
+    }
+    return motion;
+}
+
+/// Fills the corners at which the hull turns inwards. Says whether there were none.
+Motion mend_hull(Delaunay &mesh) {
+    Motion motion = Motion::harmless;
+    int eastmost = 0;
+    const auto infinite = mesh.infinite_vertex();
+    auto face = infinite->face();
+    for (auto left = mesh.tds().degree(infinite); left > 0; --left) {
+        // Three points in turn, clockwise.
+        const int i = face->index(infinite);
+        const auto next = face->neighbor(Delaunay::ccw(i));
+        const Point &first = face->vertex(Delaunay::ccw(i))->point(),
+                    &second = face->vertex(Delaunay::cw(i))->point(),
+                    &third = next->vertex(Delaunay::cw(next->index(infinite)))->point();
+        if (CGAL::orientation(first, second, third) == CGAL::LEFT_TURN) {
+            if (!exchange(mesh, face, Delaunay::ccw(i))) return Motion::lost;
+            motion = Motion::mended;
+        }
+        eastmost += first < second && third < second;
+        face = next;
+    }
+    return motion == Motion::harmless && eastmost != 1 ? Motion::lost : motion;
+}
+
+/// Exchanges edges until all faces are counter-clockwise inside a hull that turns nowhere inwards and goes round once:
+/// then it is a triangulation.
+Motion straighten(Delaunay &mesh) {
+    constexpr int attempts = 8;
+    for (int i = 0; i < attempts; ++i) {
+        const Motion faces = mend_faces(mesh);
+        const Motion hull = faces == Motion::lost ? faces : mend_hull(mesh);
+        if (hull == Motion::lost) return hull;
+        if (faces == Motion::harmless && hull == Motion::harmless) return i == 0 ? hull : Motion::mended;
+    }
+    return Motion::lost;
 }
 
 /// Flips edges until each face's circle holds no corner of its neighbours, ties broken as by insertion (Lawson
 /// 1977). Returns whether any was flipped.
-bool mend(Delaunay &mesh) {
+bool make_delaunay(Delaunay &mesh) {
     bool flipped = false;
     for (bool again = true; again;) {
         again = false;
@@ -130,8 +180,9 @@ bool MovingDelaunay::follow(std::span<const Vec2d> points) {
     auto &[mesh, vertices] = *mesh_;
     CHECK(points.size() >= vertices.size(), points.size(), vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i]->set_point(Point(points[i].x, points[i].y));
-    if (!is_plane(mesh)) return false;
-    changed_ = mend(mesh);
+    const Motion motion = straighten(mesh);
+    if (motion == Motion::lost) return false;
+    changed_ = make_delaunay(mesh) || motion == Motion::mended;
 
     // New points, one by one; the last one's face is near the next as likely as any.
     for (std::size_t i = vertices.size(); i < points.size(); ++i) {

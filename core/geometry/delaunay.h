@@ -31,12 +31,12 @@ class MovingDelaunay {
     /// Of new points; as delaunay().
     void start(std::span<const Vec2d> points);
     /// The same points at new, finite places, and any number of points more: as delaunay() of them, sooner.
-    /// False if a face or the hull has turned over, there are no faces or a new point coincides with another,
-    /// so that it must be started again; then points may coincide, else they do not.
+    /// False if points have moved so far past each other that a few exchanged edges do not mend it, there are no faces or
+    /// points coincide, so that it must be started again; then points may coincide, else they do not.
     bool follow(std::span<const Vec2d> points);
 
     const Triangulation &now() const { return now_; }
-    /// Whether edges or faces are others than before the last start() or follow().
+    /// False only if edges and faces are those before the last start() or follow().
     bool has_changed() const { return changed_; }
 
   private:
