@@ -32,6 +32,22 @@ struct Task {
     std::uint64_t seed;
 };
 
+// How much the memo spared, of the generations of this process.
+struct LivesKnown {
+    std::int64_t asked = 0, lives = 0, movements = 0;
+
+    void add(const Generation &generation) {
+        asked += static_cast<std::int64_t>(generation.lives.size());
+        lives += generation.known.lives;
+        movements += generation.known.movements;
+    }
+    std::string text() const {
+        const double share = 100.0 * static_cast<double>(lives + movements) / static_cast<double>(asked);
+        return to_fixed(share, 1) + " % known before (" + to_text(lives) + " lives, " + to_text(movements) +
+               " movements)";
+    }
+};
+
 std::vector<std::size_t> chosen_settings(const Arguments &arguments, const Experiment &experiment) {
     std::vector<std::string> names;
     for (const Spec &setting : experiment.settings) names.push_back(setting.name);
@@ -120,8 +136,10 @@ class RunCommand {
                          identity_of(experiment_, setting), interval_);
         progress.begin(name, setting.parameters.generations);
         RunState state = start(setting, task.seed, writer, hooks, interrupt, progress);
+        LivesKnown known;
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
+            known.add(generation);
             progress.generation(generation.number, writer.best_fitness(),
                                 static_cast<int>(generation.lives.size()));
         };
@@ -135,7 +153,7 @@ class RunCommand {
             throw;
         }
         writer.finish();
-        progress.tell(name + ": done, best " + to_fixed(writer.best_fitness(), 2));
+        progress.tell(name + ": done, best " + to_fixed(writer.best_fitness(), 2) + ", " + known.text());
         if (hooks.invalid() > 0)
             progress.tell(name + ": " + to_text(hooks.invalid()) +
                           " individuals count as not valid, the first because: " + hooks.first_problem());

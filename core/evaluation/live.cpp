@@ -43,9 +43,19 @@ void disturb(const Nudge &nudge, std::vector<Vec2d> &positions) {
     }
 }
 
+/// What a movement adds to a life, from one that moved alike.
+void move_alike(const Life &moved, Life &life) {
+    life.outcome = moved.outcome;
+    life.settle_steps = moved.settle_steps;
+    life.rest = moved.rest;
+    life.end = moved.end;
+    life.activity = moved.activity;
+    life.path = moved.path;
+}
+
 } // namespace
 
-Life live(const Genome &genome, const Conditions &conditions, const Watch &watch) {
+Life live(const Genome &genome, const Conditions &conditions, const Watch &watch, const Recall &recall) {
     const Parameters &growing = conditions.parameters;
     const Network network = express(genome, growing.propagation_limit);
     const Growth growth = grow(network, conditions.actuation, growing, watch.grow);
@@ -54,6 +64,13 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     if (watch.born) watch.born(growth.body);
 
     const Parameters moving = refined(growing, conditions.refinement);
+    if (recall && conditions.actuation == Actuation::oscillator)
+        if (const Life *known =
+                recall(growth.body.positions, read_oscillators(network, growth.tissue, moving))) {
+            move_alike(*known, life);
+            return life;
+        }
+
     SoftBodyModel model = embody(growth.body, conditions.environment, moving);
     disturb(conditions.nudge, model.positions);
     auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);

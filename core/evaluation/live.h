@@ -7,6 +7,7 @@
 #include "evaluation/conditions.h"
 #include "evaluation/life.h"
 #include "genome/genome.h"
+#include "locomotion/oscillator.h"
 
 #include <functional>
 #include <span>
@@ -25,7 +26,14 @@ struct Watch {
     std::function<void(int step, std::span<const Vec2d> nodes, std::span<const double> signal)> move;
 };
 
-Life live(const Genome &genome, const Conditions &conditions, const Watch &watch = {});
+/// A life under the same conditions whose body, driven by oscillators, began to move from these cell centres (of
+/// development) with these oscillators; null if none is known. Its movement stands for this one.
+using Recall =
+    std::function<const Life *(std::span<const Vec2d> positions, std::span<const Oscillator> oscillators)>;
+
+/// A movement that `recall` knows is not watched.
+Life live(const Genome &genome, const Conditions &conditions, const Watch &watch = {},
+          const Recall &recall = {});
 
 /// A life that ends with development: what growth alone decides, as live() would say it. It has no place and
 /// no distance, and is viable if a body was born.

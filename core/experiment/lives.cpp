@@ -15,7 +15,7 @@ std::vector<Life> live_all(const Population &population, const Living &living, i
     std::vector<Life> lives(population.genomes.size());
     parallel_for(static_cast<int>(lives.size()), threads, [&](int slot) {
         if (stop()) throw Stopped("stopped in generation " + to_text(population.generation));
-        lives[slot] = living(population.genomes[slot]);
+        lives[slot] = living(slot, population.genomes[slot]);
     });
     return lives;
 }

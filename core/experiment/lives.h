@@ -13,8 +13,8 @@ namespace planula {
 
 /// Asked before each generation and between evaluations; true ends the run with Stopped.
 using StopRequest = std::function<bool()>;
-/// What a genome does; pure.
-using Living = std::function<Life(const Genome &)>;
+/// What the genome in a slot does; pure.
+using Living = std::function<Life(int slot, const Genome &)>;
 
 /// Every individual's life, on up to `threads` threads: lives share nothing.
 std::vector<Life> live_all(const Population &population, const Living &living, int threads,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/run.h"
 
-#include "evaluation/live.h"
 #include "experiment/start.h"
 
 #include <algorithm>
@@ -26,14 +25,16 @@ void run(const Spec &spec, std::uint64_t seed, int threads, RunState &state, con
          const Between &between, const StopRequest &stop) {
     const Parameters &p = spec.parameters;
     const NetworkShape shape = shape_of(spec.actuation);
-    const Living living = [&](const Genome &genome) { return live(genome, spec); };
+    Memo memo(spec);
+    const Living living = [&](int slot, const Genome &genome) { return memo.live(slot, genome); };
     Population &population = state.population;
     for (;;) {
+        memo.begin_generation(static_cast<int>(population.genomes.size()));
         const std::vector<Life> lives = live_all(population, living, threads, stop);
         const std::vector<Evaluation> evaluations = judge_all(spec.judge, lives);
         const std::vector<double> scores = state.search->score(population, evaluations);
         observe({population.generation, population, lives, evaluations, scores, *state.search,
-                 fittest(evaluations)});
+                 fittest(evaluations), memo.known()});
         if (population.generation + 1 >= p.generations) return;
         population = state.search->next(population, scores, shape, seed);
         between(state);

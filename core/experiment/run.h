@@ -4,6 +4,7 @@
 // and nothing else, so that a run may end there and go on from the state in another process.
 #pragma once
 
+#include "evaluation/memo.h"
 #include "evolution/search.h"
 #include "experiment/lives.h"
 
@@ -24,6 +25,8 @@ struct Generation {
     const Search &search;
     /// Slot of the highest fitness; the lowest slot of equals.
     int best;
+    /// How many of the lives were known from the generation before, in this process; no result.
+    Known known;
 };
 
 /// Where a run stands between two generations: the population to live next, and the search as the generations

@@ -24,7 +24,7 @@ Population diverse_bodies(const Spec &spec, std::uint64_t seed, int threads, con
     const NetworkShape shape = shape_of(spec.actuation);
     NoveltySearch search(spec.parameters);
     Population population = initial_population(shape, spec.parameters, seed);
-    const Living growing = [&](const Genome &genome) { return develop(genome, spec); };
+    const Living growing = [&](int, const Genome &genome) { return develop(genome, spec); };
     while (population.generation < spec.start->generations) {
         const std::vector<Life> lives = live_all(population, growing, threads, stop);
         const auto scores = search.score(population, judge_all(spec.start->judge, lives));

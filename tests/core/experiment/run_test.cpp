@@ -2,6 +2,7 @@
 #include "experiment/run.h"
 
 #include "base/error.h"
+#include "evaluation/live.h"
 #include "experiment/signature.h"
 #include "support/specimens.h"
 
@@ -35,6 +36,22 @@ std::string signature(const Spec &spec, std::uint64_t seed, int threads) {
     Signature hash;
     run(spec, seed, threads, [&](const Generation &generation) { hash.observe(generation); });
     return hash.hex();
+}
+
+/// The signature of a run in which everyone lives, known or not.
+std::string signature_without_memo(const Spec &spec, std::uint64_t seed) {
+    Signature hash;
+    RunState state = begin(spec, seed);
+    Population &population = state.population;
+    for (;;) {
+        std::vector<Life> lives;
+        for (const Genome &genome : population.genomes) lives.push_back(live(genome, spec));
+        const std::vector<Evaluation> evaluations = judge_all(spec.judge, lives);
+        const std::vector<double> scores = state.search->score(population, evaluations);
+        hash.observe({population.generation, population, lives, evaluations, scores, *state.search, 0, {}});
+        if (population.generation + 1 == spec.parameters.generations) return hash.hex();
+        population = state.search->next(population, scores, shape_of(spec.actuation), seed);
+    }
 }
 
 } // namespace
@@ -79,6 +96,24 @@ BOOST_AUTO_TEST_CASE(the_best_fitness_never_falls_when_fitness_is_searched) {
         best = now;
     });
     BOOST_TEST(best > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_with_and_without_the_memo_is_equal) {
+    for (const std::string_view search : search_names())
+        BOOST_TEST(signature(small(search), 9, 2) == signature_without_memo(small(search), 9));
+    const Spec grn = small("neat", Actuation::grn);
+    BOOST_TEST(signature(grn, 9, 2) == signature_without_memo(grn, 9));
+}
+
+BOOST_AUTO_TEST_CASE(champions_of_the_generation_before_are_known) {
+    for (const int threads : {1, 3}) {
+        int known = 0;
+        run(small("neat"), 9, threads, [&](const Generation &generation) {
+            BOOST_TEST((generation.known.lives > 0) == (generation.number > 0));
+            known += generation.known.lives;
+        });
+        BOOST_TEST(known < 4 * 12);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_request_to_stop_ends_the_run) {

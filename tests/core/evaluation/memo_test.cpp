@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "evaluation/memo.h"
+
+#include "base/parallel.h"
+#include "support/specimens.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <vector>
+
+using namespace planula;
+using namespace planula::specimens;
+
+namespace {
+
+Conditions conditions(Actuation actuation) {
+    Conditions c;
+    c.actuation = actuation;
+    c.environment = land();
+    c.actuation_range = c.parameters.actuation_range_terrestrial;
+    c.parameters.locomotion_steps = 400;
+    return c;
+}
+
+bool equal(const Life &a, const Life &b) {
+    return a.outcome == b.outcome && a.cells == b.cells && a.largest == b.largest && a.births == b.births &&
+           a.links == b.links && a.triangles == b.triangles && a.elongation == b.elongation &&
+           a.shape == b.shape && a.settle_steps == b.settle_steps && a.rest == b.rest && a.end == b.end &&
+           a.activity == b.activity && a.path == b.path;
+}
+
+/// Lives a generation; each life must be what live() says.
+Known lived(Memo &memo, const std::vector<Genome> &genomes, const Conditions &given, int threads = 1) {
+    memo.begin_generation(static_cast<int>(genomes.size()));
+    std::vector<Life> lives(genomes.size());
+    parallel_for(static_cast<int>(genomes.size()), threads,
+                 [&](int slot) { lives[slot] = memo.live(slot, genomes[slot]); });
+    for (std::size_t i = 0; i < genomes.size(); ++i) BOOST_TEST(equal(lives[i], live(genomes[i], given)));
+    return memo.known();
+}
+
+/// The same genome with other names and another past.
+Genome renamed(Genome genome) {
+    genome.id = 77, genome.mother = 3, genome.father = 4, genome.origin = Origin::champion;
+    for (LinkGene &link : genome.links) link.innovation += 100;
+    return genome;
+}
+
+/// The same animat from another genome: a hidden node that nothing listens to.
+Genome with_idle_node(Genome genome) {
+    const int id = genome.inputs + genome.outputs;
+    genome.nodes.push_back({id, NodeKind::hidden, 0.5});
+    add_link(genome, input::x, id, 1);
+    return genome;
+}
+
+Genome with_last_weight(Genome genome, double weight) {
+    genome.links.back().weight = weight;
+    return genome;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(an_equal_genome_is_known_whatever_its_name_and_another_is_not) {
+    for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
+        const Conditions given = conditions(actuation);
+        const Genome lump = lump_genome(actuation, 6), dead = bare_genome(actuation);
+        Memo memo(given);
+        BOOST_TEST(lived(memo, {lump, dead}, given).lives == 0);
+        const Known known = lived(memo, {renamed(dead), renamed(lump), with_last_weight(lump, 0.5)}, given);
+        BOOST_TEST(known.lives == 2);
+        BOOST_TEST(known.movements == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_equal_body_with_equal_oscillators_moves_as_known) {
+    const Conditions given = conditions(Actuation::oscillator);
+    const Genome lump = lump_genome(Actuation::oscillator, 6);
+    Memo memo(given);
+    lived(memo, {lump}, given);
+    // The last link of the lump sets its phases: an equal body that moves in another way.
+    const Known known = lived(memo, {with_idle_node(lump), with_last_weight(lump, -5)}, given);
+    BOOST_TEST(known.lives == 0);
+    BOOST_TEST(known.movements == 1);
+    BOOST_TEST(live(with_last_weight(lump, -5), given).cells == live(lump, given).cells);
+}
+
+BOOST_AUTO_TEST_CASE(networks_as_muscles_are_known_by_the_genome_alone) {
+    const Conditions given = conditions(Actuation::grn);
+    const Genome lump = lump_genome(Actuation::grn, 6);
+    Memo memo(given);
+    lived(memo, {lump}, given);
+    const Known known = lived(memo, {with_last_weight(lump, -2.5), with_idle_node(lump)}, given);
+    BOOST_TEST((known.lives == 0 && known.movements == 0));
+}
+
+BOOST_AUTO_TEST_CASE(one_generation_is_remembered_and_what_it_knew_itself) {
+    const Conditions given = conditions(Actuation::oscillator);
+    const Genome lump = lump_genome(Actuation::oscillator, 6), line = line_genome(Actuation::oscillator, 5);
+    Memo memo(given);
+    lived(memo, {lump, line}, given);
+    BOOST_TEST(lived(memo, {lump}, given).lives == 1);
+    const Known known = lived(memo, {line, lump, with_idle_node(lump)}, given);
+    BOOST_TEST(known.lives == 1);
+    BOOST_TEST(known.movements == 1);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_known_does_not_depend_on_threads) {
+    const Conditions given = conditions(Actuation::oscillator);
+    std::vector<Genome> first, second;
+    for (int i = 0; i < 8; ++i) {
+        first.push_back(with_last_weight(lump_genome(Actuation::oscillator, 5), i % 4));
+        second.push_back(with_last_weight(lump_genome(Actuation::oscillator, 5), i % 6));
+    }
+    Memo memo(given);
+    BOOST_TEST(lived(memo, first, given, 3).lives == 0); // equals of one generation do not see each other
+    BOOST_TEST(lived(memo, second, given, 3).lives == 6);
+}
