@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/text.h"
 #include "experiment/run.h"
 #include "record/run_writer.h"
@@ -67,10 +68,13 @@ std::vector<std::size_t> chosen_settings(const Arguments &arguments, const Exper
 class RunCommand {
   public:
     RunCommand(const Arguments &arguments, Console &console)
-        : console_(console), experiment_(experiment_of(arguments, console)), threads_(threads_of(arguments)),
+        : console_(console), experiment_(experiment_of(arguments, console)), crew_(threads_of(arguments)),
           interval_(arguments.whole("checkpoint", 1, RunWriter::usual_interval)),
           out_(runs_folder(arguments, "out", experiment_)), seeds_(seeds_of(arguments, experiment_)),
-          settings_(chosen_settings(arguments, experiment_)) {}
+          settings_(chosen_settings(arguments, experiment_)) {
+        for (const Spec &setting : experiment_.settings)
+            identities_.push_back(identity_of(experiment_, setting));
+    }
 
     int run() {
         const std::vector<Task> tasks = open_tasks();
@@ -79,7 +83,9 @@ class RunCommand {
         const Interrupt interrupt;
         Progress progress(console_.err, console_.terminal, evaluations);
         try {
-            for (const Task &task : tasks) run_task(task, interrupt, progress);
+            crew_.work(static_cast<int>(tasks.size()), [&](int job) {
+                run_task(tasks[job], {crew_, job}, interrupt, progress);
+            });
         } catch (const Stopped &) {
             throw Stopped("stopped; what was done is kept, and the same command goes on");
         }
@@ -99,7 +105,7 @@ class RunCommand {
             for (const std::size_t i : settings_) {
                 const Spec &setting = experiment_.settings[i];
                 const auto folder = run_folder(out_, setting.name, seed);
-                if (!is_complete(folder, setting, seed, identity_of(experiment_, setting))) {
+                if (!is_complete(folder, setting, seed, identities_[i])) {
                     tasks.push_back({i, seed});
                     continue;
                 }
@@ -110,44 +116,43 @@ class RunCommand {
     }
 
     // The beginning of a run, or where an earlier process left it.
-    RunState start(const Spec &setting, std::uint64_t seed, RunWriter &writer, Hooks &hooks,
-                   const Interrupt &interrupt, Progress &progress) const {
+    static RunState start(const OwnSetting &setting, const std::string &name, std::uint64_t seed,
+                          RunWriter &writer, const Workers &workers, const StopRequest &stop,
+                          Progress &progress) {
         for (const std::filesystem::path &path : writer.damaged())
             progress.tell(path.string() + ": damaged, passed over");
         std::optional<RunState> left = writer.take_state();
-        if (!left) {
-            hooks.begin_run();
-            return begin(setting, seed, threads_, [&] { return interrupt.requested(); });
-        }
-        hooks.continue_run(writer.memory());
+        if (!left) return begin(setting.spec, seed, workers, stop);
+        setting.hooks->continue_run(writer.memory());
         const int done = left->population.generation;
-        progress.skip(std::int64_t{done} * setting.parameters.population);
-        progress.tell(setting.name + " seed " + to_text(static_cast<std::int64_t>(seed)) +
-                      ": goes on with generation " + to_text(done + 1) + " of " +
-                      to_text(setting.parameters.generations));
+        progress.skip(std::int64_t{done} * setting.spec.parameters.population);
+        progress.tell(name + ": goes on with generation " + to_text(done + 1) + " of " +
+                      to_text(setting.spec.parameters.generations));
         return std::move(*left);
     }
 
-    void run_task(const Task &task, const Interrupt &interrupt, Progress &progress) {
-        const Spec &setting = experiment_.settings[task.setting];
-        Hooks &hooks = *experiment_.hooks[task.setting];
-        const std::string name = setting.name + " seed " + to_text(static_cast<std::int64_t>(task.seed));
-        RunWriter writer(run_folder(out_, setting.name, task.seed), setting, task.seed,
-                         identity_of(experiment_, setting), interval_);
-        progress.begin(name, setting.parameters.generations);
-        RunState state = start(setting, task.seed, writer, hooks, interrupt, progress);
+    // Shares nothing with other runs but the crew, the progress and the texts of the scripts.
+    void run_task(const Task &task, const Workers &workers, const Interrupt &interrupt, Progress &progress) {
+        const OwnSetting setting = own_setting(experiment_, task.setting);
+        const Spec &spec = setting.spec;
+        Hooks &hooks = *setting.hooks;
+        const std::string name = spec.name + " seed " + to_text(static_cast<std::int64_t>(task.seed));
+        const StopRequest stop = [&] { return interrupt.requested() || crew_.failed(); };
+        RunWriter writer(run_folder(out_, spec.name, task.seed), spec, task.seed, identities_[task.setting],
+                         interval_);
+        const Progress::Open open(progress);
+        RunState state = start(setting, name, task.seed, writer, workers, stop, progress);
         LivesKnown known;
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
             known.add(generation);
-            progress.generation(generation.number, writer.best_fitness(),
+            progress.generation(name, generation.number, spec.parameters.generations, writer.best_fitness(),
                                 static_cast<int>(generation.lives.size()));
         };
         try {
             planula::run(
-                setting, task.seed, threads_, state, observe,
-                [&](const RunState &now) { writer.between(now, hooks.memory()); },
-                [&] { return interrupt.requested(); });
+                spec, task.seed, workers, state, observe,
+                [&](const RunState &now) { writer.between(now, hooks.memory()); }, stop);
         } catch (const Stopped &) {
             writer.keep(state, hooks.memory());
             throw;
@@ -161,10 +166,12 @@ class RunCommand {
 
     Console &console_;
     const Experiment experiment_;
-    const int threads_, interval_;
+    Crew crew_;
+    const int interval_;
     const std::filesystem::path out_;
     const std::vector<std::uint64_t> seeds_;
     const std::vector<std::size_t> settings_;
+    std::vector<RunIdentity> identities_; // per setting
 };
 
 int run_runs(const Arguments &arguments, Console &console) { return RunCommand(arguments, console).run(); }
@@ -180,9 +187,8 @@ const Command &run_command() {
         "manifest. A run that is complete\n"
         "with the same script, parameters, seed and version is skipped, and one that "
         "was stopped (Ctrl-C, exit\n"
-        "code 75) or killed goes on from its last checkpoint: repeat the command. Results depend on the "
-        "script, its "
-        "parameters and the seed alone.",
+        "code 75) or killed goes on from its last checkpoint: repeat the command. Where one run leaves a "
+        "thread idle,\nthe next begins. Results depend on the script, its parameters and the seed alone.",
         options,
         run_runs};
     return command;

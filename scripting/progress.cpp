@@ -19,12 +19,18 @@ Progress::Progress(std::ostream &out, bool terminal, std::int64_t evaluations)
 
 Progress::~Progress() { clear_line(); }
 
-void Progress::begin(std::string run, int generations) {
-    run_ = std::move(run);
-    generations_ = generations;
+void Progress::open(int runs) {
+    const std::lock_guard lock(mutex_);
+    open_ += runs;
 }
 
-void Progress::generation(int number, double best, int evaluations) {
+void Progress::skip(std::int64_t evaluations) {
+    const std::lock_guard lock(mutex_);
+    planned_ -= evaluations;
+}
+
+void Progress::generation(const std::string &run, int number, int generations, double best, int evaluations) {
+    const std::lock_guard lock(mutex_);
     done_ += evaluations;
     const Clock::time_point now = Clock::now();
     const double since_shown = std::chrono::duration<double>(now - shown_).count();
@@ -33,9 +39,10 @@ void Progress::generation(int number, double best, int evaluations) {
 
     // The time left assumes that what is left costs as much as what is done.
     const double rate = static_cast<double>(done_) / std::chrono::duration<double>(now - start_).count();
-    const std::string text = run_ + ": generation " + to_text(number + 1) + " of " + to_text(generations_) +
-                             ", best " + to_fixed(best, 2) + ", " + to_fixed(rate, rate < 10 ? 1 : 0) +
-                             " evaluations/s, " +
+    const std::string others = open_ > 1 ? " (" + to_text(open_) + " runs at once)" : "";
+    const std::string text = run + ": generation " + to_text(number + 1) + " of " + to_text(generations) +
+                             ", best " + to_fixed(best, 2) + others + ", " +
+                             to_fixed(rate, rate < 10 ? 1 : 0) + " evaluations/s, " +
                              duration_text(static_cast<double>(planned_ - done_) / rate) + " left";
     if (terminal_)
         out_ << "\r\x1b[K" << text << std::flush;
@@ -45,6 +52,7 @@ void Progress::generation(int number, double best, int evaluations) {
 }
 
 void Progress::tell(const std::string &line) {
+    const std::lock_guard lock(mutex_);
     clear_line();
     out_ << line << std::endl;
 }

@@ -28,6 +28,14 @@ constexpr std::string_view design_keys[] = {"name",     "title",      "parameter
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
 constexpr std::string_view hook_names[] = {"fitness", "penalty", "behaviour"};
 
+// Fresh functions of a setting, and the judge that calls them.
+std::shared_ptr<Hooks> hooks_of(const std::shared_ptr<Sources> &sources, std::size_t setting,
+                                const Parameters &parameters, Stage stage, Judge &judge) {
+    auto hooks = std::make_shared<Hooks>(sources, static_cast<int>(setting), parameters, stage);
+    judge = [hooks](const Life &life) { return hooks->judge(life); };
+    return hooks;
+}
+
 class Schema {
   public:
     Schema(std::shared_ptr<Sources> sources, const Overrides &overrides)
@@ -161,10 +169,9 @@ class Schema {
             if (!reader.field(std::string(name), Value::Kind::function, true)) complete = false;
         spec.judge = [](const Life &) { return Evaluation{}; };
         if (!complete) return;
-        const auto index = static_cast<int>(experiment_.settings.size() - 1);
-        auto hooks = std::make_shared<Hooks>(experiment_.sources, index, spec.parameters);
-        spec.judge = [hooks](const Life &life) { return hooks->judge(life); };
-        experiment_.hooks.back() = std::move(hooks);
+        const std::size_t index = experiment_.settings.size() - 1;
+        experiment_.hooks.back() =
+            hooks_of(experiment_.sources, index, spec.parameters, Stage::life, spec.judge);
     }
 
     // How generation 0 is evolved before the run, if the setting says so.
@@ -176,10 +183,9 @@ class Schema {
         spec.start->generations = of_start.whole("generations");
         spec.start->judge = [](const Life &) { return Evaluation{}; };
         if (!of_start.field("behaviour", Value::Kind::function, true) || !experiment_.hooks.back()) return;
-        const auto index = static_cast<int>(experiment_.settings.size() - 1);
-        auto hooks = std::make_shared<Hooks>(experiment_.sources, index, spec.parameters, Stage::growth);
-        spec.start->judge = [hooks](const Life &life) { return hooks->judge(life); };
-        start_hooks_.push_back(std::move(hooks));
+        const std::size_t index = experiment_.settings.size() - 1;
+        start_hooks_.push_back(
+            hooks_of(experiment_.sources, index, spec.parameters, Stage::growth, spec.start->judge));
     }
 
     void read_statistics_of(Reader &reader) {
@@ -218,6 +224,14 @@ const Spec *Experiment::find(std::string_view setting) const {
     for (const Spec &spec : settings)
         if (spec.name == setting) return &spec;
     return nullptr;
+}
+
+OwnSetting own_setting(const Experiment &experiment, std::size_t index) {
+    OwnSetting own{experiment.settings.at(index), nullptr};
+    Spec &spec = own.spec;
+    own.hooks = hooks_of(experiment.sources, index, spec.parameters, Stage::life, spec.judge);
+    if (spec.start) hooks_of(experiment.sources, index, spec.parameters, Stage::growth, spec.start->judge);
+    return own;
 }
 
 Experiment load_experiment(const std::filesystem::path &script, const std::filesystem::path &library,

@@ -54,6 +54,13 @@ Experiment load_experiment(const std::filesystem::path &script, const std::files
                            const Overrides &overrides = {});
 Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides = {});
 
+/// A setting to run beside others: with functions of its own, as one fresh run has them.
+struct OwnSetting {
+    Spec spec;
+    std::shared_ptr<Hooks> hooks;
+};
+OwnSetting own_setting(const Experiment &experiment, std::size_t index);
+
 /// The resolved setting as Lua text that depends on nothing but what decides its results: every parameter,
 /// the environment, actuation, search, and the hashes of the script and the modules it requires.
 std::string resolved_text(const Experiment &experiment, const Spec &setting);

@@ -64,6 +64,11 @@ Sources::Sources(std::string name, std::string text, fs::path library) : folders
     add("", std::move(name), std::move(text));
 }
 
+const Source &Sources::script() const {
+    const std::lock_guard lock(mutex_);
+    return sources_.front();
+}
+
 const Source &Sources::module(std::string_view name) {
     if (!is_safe(name))
         throw InputError("require '" + std::string(name) +
@@ -72,6 +77,7 @@ const Source &Sources::module(std::string_view name) {
     std::string dotted(name), slashed(name);
     for (char &c : dotted) c = c == '/' ? '.' : c;
     for (char &c : slashed) c = c == '.' ? '/' : c;
+    const std::lock_guard lock(mutex_);
     for (const Source &source : sources_)
         if (source.module == dotted) return source;
     if (sources_.size() > most_modules) throw InputError("more than 64 modules are required");
@@ -91,6 +97,7 @@ const Source &Sources::module(std::string_view name) {
 }
 
 const Source *Sources::named(std::string_view name) const {
+    const std::lock_guard lock(mutex_);
     for (const Source &source : sources_)
         if (source.name == name) return &source;
     return nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The files that a script consists of: itself and the modules it requires. Each is read once and kept, so
-// that every Lua state of a command runs the same text even if a file changes during a long run.
+// that every Lua state of a command runs the same text even if a file changes during a long run. States of
+// several threads may share them.
 //
 // Where `require "paper.judgement"` looks, first found wins: paper/judgement.lua, then
 // paper/judgement/init.lua, in the script's own folder, in each folder above it, and at last in the library
@@ -11,6 +12,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,18 +35,20 @@ class Sources {
     /// A script that is not in a file, for tests; modules come from `library` alone.
     Sources(std::string name, std::string text, std::filesystem::path library);
 
-    const Source &script() const { return sources_.front(); }
+    const Source &script() const;
     /// Reads the module at its first mention. Throws InputError: an unsafe name, not found (with the folders
     /// tried), or any error of the constructor.
     const Source &module(std::string_view name);
     /// The source of this message name; null if there is none.
     const Source *named(std::string_view name) const;
+    /// Not while another thread runs a script.
     const std::deque<Source> &all() const { return sources_; }
 
   private:
     const Source &add(std::string module, std::string name, std::string text);
 
     std::vector<std::filesystem::path> folders_;
+    mutable std::mutex mutex_;   // of sources_
     std::deque<Source> sources_; // a deque: references stay valid
 };
 

@@ -3,17 +3,16 @@
 
 #include "base/check.h"
 #include "base/error.h"
-#include "base/parallel.h"
 #include "base/text.h"
 
 #include <cmath>
 
 namespace planula {
 
-std::vector<Life> live_all(const Population &population, const Living &living, int threads,
+std::vector<Life> live_all(const Population &population, const Living &living, const Workers &workers,
                            const StopRequest &stop) {
     std::vector<Life> lives(population.genomes.size());
-    parallel_for(static_cast<int>(lives.size()), threads, [&](int slot) {
+    workers.each(static_cast<int>(lives.size()), [&](int slot) {
         if (stop()) throw Stopped("stopped in generation " + to_text(population.generation));
         lives[slot] = living(slot, population.genomes[slot]);
     });

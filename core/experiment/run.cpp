@@ -17,12 +17,12 @@ int fittest(const std::vector<Evaluation> &evaluations) {
 
 } // namespace
 
-RunState begin(const Spec &spec, std::uint64_t seed, int threads, const StopRequest &stop) {
-    return {first_population(spec, seed, threads, stop), make_search(spec.search, spec.parameters)};
+RunState begin(const Spec &spec, std::uint64_t seed, const Workers &workers, const StopRequest &stop) {
+    return {first_population(spec, seed, workers, stop), make_search(spec.search, spec.parameters)};
 }
 
-void run(const Spec &spec, std::uint64_t seed, int threads, RunState &state, const Observer &observe,
-         const Between &between, const StopRequest &stop) {
+void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState &state,
+         const Observer &observe, const Between &between, const StopRequest &stop) {
     const Parameters &p = spec.parameters;
     const NetworkShape shape = shape_of(spec.actuation);
     Memo memo(spec);
@@ -30,7 +30,7 @@ void run(const Spec &spec, std::uint64_t seed, int threads, RunState &state, con
     Population &population = state.population;
     for (;;) {
         memo.begin_generation(static_cast<int>(population.genomes.size()));
-        const std::vector<Life> lives = live_all(population, living, threads, stop);
+        const std::vector<Life> lives = live_all(population, living, workers, stop);
         const std::vector<Evaluation> evaluations = judge_all(spec.judge, lives);
         const std::vector<double> scores = state.search->score(population, evaluations);
         observe({population.generation, population, lives, evaluations, scores, *state.search,
@@ -41,11 +41,11 @@ void run(const Spec &spec, std::uint64_t seed, int threads, RunState &state, con
     }
 }
 
-void run(const Spec &spec, std::uint64_t seed, int threads, const Observer &observe,
+void run(const Spec &spec, std::uint64_t seed, const Workers &workers, const Observer &observe,
          const StopRequest &stop) {
-    RunState state = begin(spec, seed, threads, stop);
+    RunState state = begin(spec, seed, workers, stop);
     run(
-        spec, seed, threads, state, observe, [](const RunState &) {}, stop);
+        spec, seed, workers, state, observe, [](const RunState &) {}, stop);
 }
 
 } // namespace planula

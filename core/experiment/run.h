@@ -43,18 +43,19 @@ using Between = std::function<void(const RunState &)>;
 /// The state before generation 0. Where the setting evolves that one first, this takes time and may end with
 /// Stopped.
 RunState begin(
-    const Spec &spec, std::uint64_t seed, int threads = 1, const StopRequest &stop = [] { return false; });
+    const Spec &spec, std::uint64_t seed, const Workers &workers = 1,
+    const StopRequest &stop = [] { return false; });
 
 /// Runs the setting's generations from this state on. The results depend on (spec, seed) alone, not on
-/// `threads` nor on how the state came here. If it ends with Stopped, the state is that before the generation
+/// who works, nor on how the state came here. If it ends with Stopped, the state is that before the generation
 /// that was abandoned.
 void run(
-    const Spec &spec, std::uint64_t seed, int threads, RunState &state, const Observer &observe,
+    const Spec &spec, std::uint64_t seed, const Workers &workers, RunState &state, const Observer &observe,
     const Between &between = [](const RunState &) {}, const StopRequest &stop = [] { return false; });
 
 /// Runs all generations.
 void run(
-    const Spec &spec, std::uint64_t seed, int threads, const Observer &observe,
+    const Spec &spec, std::uint64_t seed, const Workers &workers, const Observer &observe,
     const StopRequest &stop = [] { return false; });
 
 } // namespace planula

@@ -20,13 +20,14 @@ std::uint64_t seed_before(std::uint64_t seed) {
 }
 
 /// The last generation of novelty search among bodies.
-Population diverse_bodies(const Spec &spec, std::uint64_t seed, int threads, const StopRequest &stop) {
+Population diverse_bodies(const Spec &spec, std::uint64_t seed, const Workers &workers,
+                          const StopRequest &stop) {
     const NetworkShape shape = shape_of(spec.actuation);
     NoveltySearch search(spec.parameters);
     Population population = initial_population(shape, spec.parameters, seed);
     const Living growing = [&](int, const Genome &genome) { return develop(genome, spec); };
     while (population.generation < spec.start->generations) {
-        const std::vector<Life> lives = live_all(population, growing, threads, stop);
+        const std::vector<Life> lives = live_all(population, growing, workers, stop);
         const auto scores = search.score(population, judge_all(spec.start->judge, lives));
         population = search.next(population, scores, shape, seed);
     }
@@ -49,9 +50,10 @@ Population as_first(Population last, const Parameters &parameters) {
 
 } // namespace
 
-Population first_population(const Spec &spec, std::uint64_t seed, int threads, const StopRequest &stop) {
+Population first_population(const Spec &spec, std::uint64_t seed, const Workers &workers,
+                            const StopRequest &stop) {
     if (!spec.start) return initial_population(shape_of(spec.actuation), spec.parameters, seed);
-    return as_first(diverse_bodies(spec, seed_before(seed), threads, stop), spec.parameters);
+    return as_first(diverse_bodies(spec, seed_before(seed), workers, stop), spec.parameters);
 }
 
 } // namespace planula

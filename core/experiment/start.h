@@ -13,6 +13,7 @@ namespace planula {
 
 /// Generation 0 of a run, at random or as spec.start says: its parameters are those of the run, its chance is
 /// its own. The result depends on (spec, seed) alone. Throws Stopped.
-Population first_population(const Spec &spec, std::uint64_t seed, int threads, const StopRequest &stop);
+Population first_population(const Spec &spec, std::uint64_t seed, const Workers &workers,
+                            const StopRequest &stop);
 
 } // namespace planula

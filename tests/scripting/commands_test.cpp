@@ -243,13 +243,14 @@ BOOST_AUTO_TEST_CASE(a_signal_stops_the_run_with_75_and_says_how_to_go_on) {
 namespace {
 
 /// Starts `planula run` in a process of its own; what it says goes to a file.
-pid_t start_run(const Workplace &place, const std::string &out, int generations) {
+pid_t start_run(const Workplace &place, const std::string &out, int generations,
+                const std::string &seeds = "1") {
     const pid_t child = fork();
     if (child != 0) return child;
     std::ofstream silent(place.path / "said");
     Console console{silent, silent, false, test::experiments_folder()};
-    const int code = run_program({"run", place.script(), "--seeds", "1", "--checkpoint", "1", "--out", out,
-                                  "--generations", std::to_string(generations)},
+    const int code = run_program({"run", place.script(), "--seeds", seeds, "--threads", "3", "--checkpoint",
+                                  "1", "--out", out, "--generations", std::to_string(generations)},
                                  console);
     silent.flush();
     _exit(code);
@@ -290,6 +291,39 @@ BOOST_AUTO_TEST_CASE(a_run_killed_and_stopped_again_and_again_ends_with_the_same
     BOOST_TEST(killed >= 2);
     BOOST_TEST((all_bytes(fs::path(place.runs()) / "small/seed-001") ==
                 all_bytes(fs::path(whole) / "small/seed-001")));
+}
+
+BOOST_AUTO_TEST_CASE(runs_that_go_on_at_once_and_are_stopped_are_those_that_go_on_alone) {
+    const Workplace place(small);
+    const fs::path alone = place.path / "alone", together = place.runs();
+    for (const char *seed : {"1", "2", "3"})
+        planula_says({"run", place.script(), "--seeds", seed, "--threads", "1", "--generations", "5", "--out",
+                      alone.string()});
+    int ended = -1, stopped = 0;
+    for (int start = 0; ended != 0 && start < 50; ++start) {
+        const pid_t child = start_run(place, together, 5, "1:3");
+        usleep(150'000);
+        kill(child, SIGTERM);
+        ended = end_of(child);
+        BOOST_TEST((ended == 0 || ended == 75 || ended == -SIGTERM), ended);
+        stopped += ended == 75;
+    }
+    BOOST_TEST(stopped >= 1);
+    for (const char *seed : {"seed-001", "seed-002", "seed-003"})
+        BOOST_TEST((all_bytes(together / "small" / seed) == all_bytes(alone / "small" / seed)), seed);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_in_use_ends_the_others_with_their_work_kept) {
+    const Workplace place(small);
+    const fs::path runs = place.runs();
+    const pid_t first = start_run(place, runs, 100000, "2");
+    for (int i = 0; i < 1000 && !fs::exists(runs / "small/seed-002/checkpoint"); ++i) usleep(10000);
+    const Said second = planula_says({"run", place.script(), "--seeds", "1:2", "--threads", "2", "--out",
+                                      place.runs(), "--generations", "100000"});
+    BOOST_TEST(second.code == 73, second.err);
+    BOOST_TEST(fs::exists(runs / "small/seed-001/checkpoint"));
+    kill(first, SIGKILL);
+    BOOST_TEST(end_of(first) == -SIGKILL);
 }
 
 BOOST_AUTO_TEST_CASE(a_second_process_on_one_run_ends_at_once_with_73) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scripting/progress.h"
 
+#include "base/parallel.h"
 #include "support/scripts.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <sstream>
+#include <string>
 
 #include <unistd.h>
 
@@ -24,9 +26,9 @@ BOOST_AUTO_TEST_CASE(a_terminal_gets_one_line_that_is_rewritten_and_cleared) {
     std::ostringstream out;
     {
         Progress progress(out, true, 100);
-        progress.begin("a seed 1", 4);
+        const Progress::Open first(progress);
         usleep(250000);
-        progress.generation(1, 12.345, 25);
+        progress.generation("a seed 1", 1, 4, 12.345, 25);
         progress.tell("done");
     }
     BOOST_TEST(test::contains(out.str(), "\r\x1b[Ka seed 1: generation 2 of 4, best 12.3"), out.str());
@@ -38,7 +40,23 @@ BOOST_AUTO_TEST_CASE(a_terminal_gets_one_line_that_is_rewritten_and_cleared) {
 BOOST_AUTO_TEST_CASE(a_log_is_not_flooded) {
     std::ostringstream out;
     Progress progress(out, false, 1000000);
-    progress.begin("a seed 1", 1000);
-    for (int i = 0; i < 1000; ++i) progress.generation(i, 1, 1);
+    for (int i = 0; i < 1000; ++i) progress.generation("a seed 1", i, 1000, 1, 1);
     BOOST_TEST(out.str() == "");
+}
+
+BOOST_AUTO_TEST_CASE(several_runs_tell_of_themselves_line_by_line) {
+    std::ostringstream out;
+    {
+        Progress progress(out, true, 100);
+        const Progress::Open first(progress), second(progress);
+        usleep(250000);
+        progress.generation("b seed 2", 0, 4, 1, 25);
+        parallel_for(50, 4, [&](int i) { progress.tell("<" + std::to_string(i % 10) + " is done>"); });
+    }
+    BOOST_TEST(test::contains(out.str(), "b seed 2: generation 1 of 4, best 1.00 (2 runs at once), "),
+               out.str());
+    std::istringstream lines(out.str());
+    int told = 0;
+    for (std::string line; std::getline(lines, line); ++told) BOOST_TEST(line.ends_with(" is done>"), line);
+    BOOST_TEST(told == 50);
 }
