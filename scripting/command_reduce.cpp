@@ -118,8 +118,8 @@ const Command &witness_command() {
         "Reads all complete runs of the experiment below --runs and writes witness.csv, a row for each "
         "champion, and\n"
         "engines.csv, a row for each setting. A champion whose distance changes by more than the parameter\n"
-        "exploit_bound at half the step is flagged as an integration exploit; one that does not live as "
-        "recorded is refused.",
+        "exploit_bound at half the step is flagged as an integration exploit, one that stirs on while its "
+        "muscles\nhold still as perpetual motion; one that does not live as recorded is refused.",
         witness_options,
         call_witness};
     return command;
