@@ -98,6 +98,14 @@ sensitivity: program ## halve and double every assumed value for evolved animats
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 	@echo 'sensitivity: $(OUT)/data/sensitivity.csv; the next `make paper` has its table'
 
+searches: program ## compare the searches at equal evaluations, the three beyond the paper among them: build/data/searches.csv
+	@$(PLANULA) run experiments/searches.lua --out $(OUT)/runs/searches
+	@rm -rf $(OUT)/searches $(OUT)/data.new
+	@$(PLANULA) reduce experiments/searches.lua --runs $(OUT)/runs/searches --out $(OUT)/searches > /dev/null
+	@mkdir -p $(OUT)/data.new; cp $(OUT)/searches/runs.csv $(OUT)/data.new/searches.csv
+	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
+	@echo 'searches: $(OUT)/data/searches.csv; the next `make paper` has its table'
+
 ##@ Building and checking
 build: deps build/CMakeCache.txt ## the program and all tests
 	@echo 'build: compiling the program and all tests, minutes the first time …'
@@ -163,7 +171,7 @@ deps: ## packages to build and test
 deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity build program signature \
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity searches build program signature \
         verify-signature torture benchmarks bench lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
@@ -232,9 +240,9 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
 
 # The article: twice, for its references. The folder of the data is handed to TeX as two macros. It does without the
-# tables of the witness and of sensitivity where the data have none.
+# tables of the witness, of sensitivity and of searches where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
-    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv)
+    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv)
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)

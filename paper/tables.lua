@@ -95,7 +95,7 @@ function tables.open(data_folder, frames_folder)
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
   -- Tables that take a command of their own; data may be without.
-  for _, name in ipairs { 'engines', 'witness', 'sensitivity' } do
+  for _, name in ipairs { 'engines', 'witness', 'sensitivity', 'searches' } do
     local file = data_folder .. '/' .. name .. '.csv'
     data[name] = lfs.isfile(file) and csv.read(file) or {}
   end
@@ -321,6 +321,51 @@ end
 
 -- A number of the sample behind that table.
 function tables.sensitivity(column) return show(data.sensitivity[1][column]) end
+
+-- The searches of experiments/searches.lua, in the order in which they are shown.
+local searches = {
+  { 'neat', 'fitness' }, { 'novelty', 'novelty' }, { 'nsga2', 'fitness and novelty (NSGA-II)' },
+  { 'nslc', 'novelty, local competition (NSLC)' }, { 'map-elites', 'elites of niches (MAP-Elites)' },
+  { 'bodies-first', 'novelty, from diverse bodies' },
+}
+
+-- Lowest, median and highest of a column of these runs.
+local function spread(runs, column)
+  local values = {}
+  for _, run in ipairs(runs) do values[#values + 1] = tonumber(run[column]) end
+  if #values == 0 then return '--' end
+  local middle = median(values) -- sorts them
+  return ('%.1f (%.1f--%.1f)'):format(middle, values[1], values[#values])
+end
+
+local function mean(runs, column)
+  local sum = 0
+  for _, run in ipairs(runs) do sum = sum + (tonumber(run[column]) or 0) end
+  return #runs > 0 and sum / #runs
+end
+
+-- What each search found, in both worlds.
+function tables.print_searches()
+  local lines = { '\begin{tabular}{l@{\quad}rrr@{\quad}rrr}', '\toprule',
+    ' & \multicolumn{3}{c}{in water} & \multicolumn{3}{c}{on land} \\', '\cmidrule(r){2-4}\cmidrule(l){5-7}',
+    'search & best fitness & shapes & sizes & best fitness & shapes & sizes \\', '\midrule' }
+  for _, search in ipairs(searches) do
+    local cells = { search[2] }
+    for _, world in ipairs { 'aq-', 'te-' } do
+      local runs = csv.where(data.searches, { setting = world .. search[1] })
+      cells[#cells + 1] = spread(runs, 'best_fitness')
+      cells[#cells + 1] = #runs > 0 and ('%.3f'):format(mean(runs, 'shape_diversity_last')) or '--'
+      cells[#cells + 1] = #runs > 0 and ('%.2f'):format(mean(runs, 'size_entropy')) or '--'
+    end
+    lines[#lines + 1] = table.concat(cells, ' & ') .. ' \\'
+  end
+  lines[#lines + 1] = '\bottomrule\end{tabular}'
+  tex.print(lines)
+end
+
+-- A number that all runs of that comparison have in common, and how many a setting has.
+function tables.searched(column) return show(data.searches[1][column]) end
+function tables.searched_runs() return show(#csv.where(data.searches, { setting = data.searches[1].setting })) end
 
 -- What became of the individuals, in the first and in the last generation.
 function tables.print_outcomes()
