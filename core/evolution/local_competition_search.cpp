@@ -11,18 +11,15 @@ namespace {
 
 /// Of each valid genome, the mean distance to the valid others, summed in order; 0 without any.
 std::vector<double> genotypic_diversity(const Elites &pool, const Parameters &parameters) {
-    std::vector<int> valid;
+    std::vector<std::size_t> valid;
+    std::vector<const Genome *> genomes;
     for (std::size_t i = 0; i < pool.size(); ++i)
-        if (pool.evaluations[i].valid()) valid.push_back(static_cast<int>(i));
-    std::vector<double> sums(pool.size());
-    for (std::size_t a = 0; a < valid.size(); ++a)
-        for (std::size_t b = a + 1; b < valid.size(); ++b) {
-            const double apart = distance(pool.genomes[valid[a]], pool.genomes[valid[b]], parameters);
-            sums[valid[a]] += apart;
-            sums[valid[b]] += apart;
-        }
-    for (double &sum : sums) sum /= std::max(1.0, static_cast<double>(valid.size()) - 1);
-    return sums;
+        if (pool.evaluations[i].valid()) valid.push_back(i), genomes.push_back(&pool.genomes[i]);
+    const std::vector<double> sums = distance_sums(genomes, parameters);
+    std::vector<double> result(pool.size());
+    for (std::size_t i = 0; i < valid.size(); ++i)
+        result[valid[i]] = sums[i] / std::max(1.0, static_cast<double>(valid.size()) - 1);
+    return result;
 }
 
 } // namespace

@@ -16,13 +16,7 @@ std::size_t patience(std::size_t in_tree) { return 64 + in_tree / 32; }
 
 } // namespace
 
-double squared_distance(std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return sum;
-}
-
-void Nearest::offer(Neighbour neighbour) {
+void Nearest::insert(Neighbour neighbour) {
     if (neighbours_.size() == k_) {
         if (!(neighbour < neighbours_.back())) return;
         neighbours_.pop_back();

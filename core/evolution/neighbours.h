@@ -22,14 +22,20 @@ struct Neighbour {
 };
 
 /// Σ (a_i − b_i)², from first to last.
-double squared_distance(std::span<const double> a, std::span<const double> b);
+inline double squared_distance(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+}
 
 /// The k first of the neighbours offered, in ascending order.
 class Nearest {
   public:
     explicit Nearest(int k) : k_(static_cast<std::size_t>(k)) {}
 
-    void offer(Neighbour neighbour);
+    void offer(Neighbour neighbour) {
+        if (open_to(neighbour.squared)) insert(neighbour);
+    }
     /// Whether one at this distance could still be among them.
     bool open_to(double squared) const {
         return neighbours_.size() < k_ || !(squared > neighbours_.back().squared);
@@ -37,6 +43,8 @@ class Nearest {
     const std::vector<Neighbour> &list() const { return neighbours_; }
 
   private:
+    void insert(Neighbour neighbour);
+
     std::size_t k_;
     std::vector<Neighbour> neighbours_;
 };

@@ -38,11 +38,12 @@ std::vector<std::vector<Neighbour>> NoveltyArchive::neighbours(std::span<const E
     for (std::size_t self = 0; self < evaluations.size(); ++self) {
         if (!evaluations[self].valid()) continue;
         const auto &place = evaluations[self].behaviour;
+        // The archive first: after it few of the others are near enough to be sorted in.
         Nearest nearest(parameters_.novelty_neighbours);
+        index_.offer(place, evaluations.size(), nearest);
         for (std::size_t other = 0; other < evaluations.size(); ++other)
             if (other != self && evaluations[other].valid())
                 nearest.offer({squared_distance(place, evaluations[other].behaviour), other});
-        index_.offer(place, evaluations.size(), nearest);
         result[self] = nearest.list();
     }
     return result;

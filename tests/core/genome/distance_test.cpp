@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "genome/distance.h"
 
+#include "base/random.h"
 #include "core/genome/specimens.h"
 
 #include <boost/test/unit_test.hpp>
@@ -42,6 +43,31 @@ BOOST_AUTO_TEST_CASE(genomes_without_common_links_differ_by_their_links_alone) {
     BOOST_TEST(distance(linked({}), linked({}), parameters) == 0);
     BOOST_TEST(distance(linked({{0, 5}, {1, 5}}), linked({}), parameters) == 2);
     BOOST_TEST(distance(linked({{0, 5}}), linked({{1, 5}}), parameters) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(sums_over_many_are_those_of_pairs_to_the_bit) {
+    Parameters parameters;
+    parameters.disjoint_coefficient = 0.7;
+    parameters.excess_coefficient = 1.3;
+    Stream stream(1, 0, 0, Purpose::sampling);
+    std::vector<Genome> genomes{linked({}), linked({{40, 1}}), linked({})};
+    while (genomes.size() < 30) {
+        genomes.push_back(linked({}));
+        for (int innovation = 0; innovation < 25; ++innovation)
+            if (stream.uniform() < 0.5)
+                genomes.back().links.push_back({innovation, innovation, 40, stream.uniform(), false});
+    }
+    std::vector<const Genome *> all;
+    for (const Genome &genome : genomes) all.push_back(&genome);
+
+    std::vector<double> sums;
+    for (std::size_t a = 0; a < genomes.size(); ++a) {
+        sums.push_back(0);
+        for (std::size_t b = 0; b < genomes.size(); ++b)
+            if (b != a) sums.back() += distance(genomes[a], genomes[b], parameters);
+    }
+    BOOST_TEST(distance_sums(all, parameters) == sums, boost::test_tools::per_element());
+    BOOST_TEST(distance_sums({}, parameters).empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_clone_is_nearer_than_the_clone_distance_to_any_sibling) {
