@@ -204,12 +204,31 @@ end
 
 local function percent_of(text) return tonumber(text) and ('%.1f'):format(100 * tonumber(text)) or '--' end
 
+-- A row of cells.
+local function row_of(cells) return table.concat(cells, ' & ') .. ' \\\\' end
+
+-- Prints a table: its columns, the lines of its head and those of its rows.
+local function print_tabular(columns, head, lines)
+  tex.print { '\\begin{tabular}{' .. columns .. '}', '\\toprule' }
+  tex.print(head)
+  tex.print '\\midrule'
+  tex.print(lines)
+  tex.print '\\bottomrule\\end{tabular}'
+end
+
+-- Adds the row of a setting, the number-th of so many; the two searches of a combination stand together.
+local function add_setting(lines, cells, number, settings)
+  lines[#lines + 1] = row_of(cells)
+  if number % 2 == 0 and number < settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
+end
+
 -- Each setting: its size and its best run.
 function tables.print_settings()
-  local lines = { '\\begin{tabular}{lrrrrrrrr}', '\\toprule',
+  local head = {
     ' & & & & \\multicolumn{2}{c}{best fitness of a run} & \\multicolumn{3}{c}{the best individual} \\\\',
     '\\cmidrule(lr){5-6}\\cmidrule(l){7-9}',
-    'setting & runs & gen. & pop. & highest & median & found in gen. & cells & elongation \\\\', '\\midrule' }
+    'setting & runs & gen. & pop. & highest & median & found in gen. & cells & elongation \\\\' }
+  local lines = {}
   for number, setting in ipairs(data.settings) do
     local runs, fitness, best = csv.where(data.runs, { setting = setting.setting }), {}, nil
     for _, run in ipairs(runs) do
@@ -217,38 +236,36 @@ function tables.print_settings()
       if not best or tonumber(run.best_fitness) > tonumber(best.best_fitness) then best = run end
     end
     best = best or {}
-    lines[#lines + 1] = table.concat({ short(setting.setting), show(setting.runs), show(setting.generations),
+    add_setting(lines, { short(setting.setting), show(setting.runs), show(setting.generations),
       show(setting.population), show(best.best_fitness), show(median(fitness)), show(best.best_generation),
-      show(best.best_cells), show(best.elongation) }, ' & ') .. ' \\\\'
-    if number % 2 == 0 and number < #data.settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
+      show(best.best_cells), show(best.elongation) }, number, #data.settings)
   end
-  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
-  tex.print(lines)
+  print_tabular('lrrrrrrrr', head, lines)
 end
 
 -- The champions of each setting in other hands: changes in per cent.
 function tables.print_engines()
-  local lines = { '\\begin{tabular}{lrrrrrrrrrr}', '\\toprule',
+  local head = {
     ' & & \\multicolumn{2}{c}{half the step} & \\multicolumn{2}{c}{Bullet} & rank & & \\multicolumn{3}{c}{cause of a difference} \\\\',
     '\\cmidrule(lr){3-4}\\cmidrule(lr){5-6}\\cmidrule(l){9-11}',
-    'setting & champions & median & largest & median & largest & corr. & flagged & chaos & step & engine \\\\', '\\midrule' }
+    'setting & champions & median & largest & median & largest & corr. & flagged & chaos & step & engine \\\\' }
+  local lines = {}
   for number, row in ipairs(data.engines) do
-    lines[#lines + 1] = table.concat({ short(row.setting), show(row.champions), percent_of(row.half_change_median),
+    add_setting(lines, { short(row.setting), show(row.champions), percent_of(row.half_change_median),
       percent_of(row.half_change_largest), percent_of(row.bullet_change_median), percent_of(row.bullet_change_largest),
       tonumber(row.rank_correlation) and ('$%.2f$'):format(tonumber(row.rank_correlation)) or '--',
-      show(row.flagged), show(row.chaotic), show(row.stepped), show(row.apart) }, ' & ') .. ' \\\\'
-    if number % 2 == 0 and number < #data.engines then lines[#lines + 1] = '\\addlinespace[2pt]' end
+      show(row.flagged), show(row.chaotic), show(row.stepped), show(row.apart) }, number, #data.engines)
   end
-  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
-  tex.print(lines)
+  print_tabular('lrrrrrrrrrr', head, lines)
 end
 
 -- The fittest champion of each setting in both engines.
 function tables.print_witnessed_best()
-  local lines = { '\\begin{tabular}{lrrrrrrrrl}', '\\toprule',
+  local head = {
     ' & & \\multicolumn{4}{c}{displacement} & nudged & \\multicolumn{2}{c}{height at rest} & \\\\',
     '\\cmidrule(lr){3-6}\\cmidrule(lr){8-9}',
-    'setting & cells & ours & half & eighth & Bullet & \\% & ours & Bullet & cause \\\\', '\\midrule' }
+    'setting & cells & ours & half & eighth & Bullet & \\% & ours & Bullet & cause \\\\' }
+  local lines = {}
   local function length(text) return tonumber(text) and ('%.2f'):format(tonumber(text)) or '--' end
   for number, setting in ipairs(data.settings) do
     local best
@@ -257,15 +274,13 @@ function tables.print_witnessed_best()
     end
     if best then
       local land = setting.world == 'terrestrial'
-      lines[#lines + 1] = table.concat({ short(setting.setting), show(best.cells), length(best.displacement),
+      add_setting(lines, { short(setting.setting), show(best.cells), length(best.displacement),
         length(best.half_displacement), length(best.eighth_displacement), length(best.bullet_displacement),
         ('%.3f'):format(100 * tonumber(best.nudged_change)), land and length(best.rest_height) or '',
-        land and length(best.bullet_rest_height) or '', escape(best.cause) }, ' & ') .. ' \\\\'
-      if number % 2 == 0 and number < #data.settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
+        land and length(best.bullet_rest_height) or '', escape(best.cause) }, number, #data.settings)
     end
   end
-  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
-  tex.print(lines)
+  print_tabular('lrrrrrrrrl', head, lines)
 end
 
 -- The combinations of actuation and world, each with its two searches.
@@ -307,16 +322,16 @@ end
 function tables.print_sensitivity()
   local heads = {}
   for _ = 1, 2 do for _, combination in ipairs(combinations) do heads[#heads + 1] = combination[2] end end
-  local lines = { '\\begin{tabular}{lr@{\\quad}rrrr@{\\quad}rrrr}', '\\toprule',
+  local head = {
     ' & & \\multicolumn{4}{c}{halved} & \\multicolumn{4}{c}{doubled} \\\\', '\\cmidrule(r){3-6}\\cmidrule(l){7-10}',
-    'parameter & value & ' .. table.concat(heads, ' & ') .. ' \\\\', '\\midrule' }
+    'parameter & value & ' .. row_of(heads) }
+  local lines = {}
   for _, entry in ipairs(sensitivity_by_parameter()) do
     local cells = { '\\texttt{' .. escape(entry.name) .. '}', literal(entry.standard) }
     for column = 1, 2 * #combinations do cells[#cells + 1] = sensitivity_cell(entry[column]) end
-    lines[#lines + 1] = table.concat(cells, ' & ') .. ' \\\\'
+    lines[#lines + 1] = row_of(cells)
   end
-  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
-  tex.print(lines)
+  print_tabular('lr@{\\quad}rrrr@{\\quad}rrrr', head, lines)
 end
 
 -- A number of the sample behind that table.
@@ -370,18 +385,17 @@ function tables.searched_runs() return show(#csv.where(data.searches, { setting 
 -- What became of the individuals, in the first and in the last generation.
 function tables.print_outcomes()
   local kinds = { 'viable', 'died_out', 'too_small', 'overgrown', 'never_settled', 'exploded', 'overborn' }
-  local lines = { '\\begin{tabular}{lr' .. ('r'):rep(#kinds) .. '}', '\\toprule',
-    'setting & gen. & ' .. escape(table.concat(kinds, ' & ')):gsub('\\_', ' '):gsub('\\&', '&') .. ' \\\\', '\\midrule' }
+  local head = { 'setting & gen. & ' .. row_of(kinds):gsub('_', ' ') }
+  local lines = {}
   local previous
   for _, row in ipairs(data.outcomes) do
     local cells = { row.setting == previous and '' or short(row.setting), show(row.generation) }
     if previous and row.setting ~= previous then lines[#lines + 1] = '\\addlinespace[2pt]' end
     for _, kind in ipairs(kinds) do cells[#cells + 1] = ('%.1f'):format(100 * tonumber(row[kind])) end
-    lines[#lines + 1] = table.concat(cells, ' & ') .. ' \\\\'
+    lines[#lines + 1] = row_of(cells)
     previous = row.setting
   end
-  lines[#lines + 1] = '\\bottomrule\\end{tabular}'
-  tex.print(lines)
+  print_tabular('lr' .. ('r'):rep(#kinds), head, lines)
 end
 
 -- The two sides of a claim, what they share said once: OSC AQ, NS : NEAT.

@@ -6,27 +6,13 @@
 #include "scripting/commands.h"
 
 #include <ostream>
+#include <span>
 
 namespace planula {
 
 namespace {
 
 constexpr Option seeds_warning_option{"seeds", "A:B|N", "warn of each run of these seeds that is not there"};
-
-constexpr Option reduce_options[] = {
-    {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
-    {"out", "DIR", "where the tables go (default: build/data)"},
-    seeds_warning_option,
-    generations_option,
-    population_option,
-    set_option,
-};
-
-constexpr Option frames_options[] = {
-    {"data", "DIR", "where best_genomes.csv is (default: build/data)"},
-    {"out", "DIR", "where the frame tables go (default: build/frames)"},
-    set_option,
-};
 
 constexpr Option witness_options[] = {
     {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
@@ -36,6 +22,13 @@ constexpr Option witness_options[] = {
     population_option,
     set_option,
     threads_option,
+};
+constexpr auto reduce_options = std::span(witness_options).first<6>(); // on one thread
+
+constexpr Option frames_options[] = {
+    {"data", "DIR", "where best_genomes.csv is (default: build/data)"},
+    {"out", "DIR", "where the frame tables go (default: build/frames)"},
+    set_option,
 };
 
 void warn_of_missing(const Experiment &experiment, const std::vector<std::uint64_t> &seeds,

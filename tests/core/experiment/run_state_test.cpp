@@ -2,8 +2,8 @@
 #include "experiment/run_state.h"
 
 #include "base/error.h"
+#include "core/experiment/swimmers.h"
 #include "experiment/signature.h"
-#include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -11,21 +11,9 @@ using namespace planula;
 
 namespace {
 
-Spec small(const std::string &search, Actuation actuation) {
-    Spec spec;
-    spec.name = "small";
-    spec.actuation = actuation;
-    spec.actuation_range = spec.parameters.actuation_range_aquatic;
-    spec.search = search;
-    spec.environment = specimens::water();
-    spec.parameters.population = 8;
-    spec.parameters.generations = 4;
-    spec.parameters.locomotion_steps = 100;
+Spec small(std::string_view search, Actuation actuation) {
+    Spec spec = swimmers(search, actuation, 8, 100);
     spec.parameters.archive_threshold = 0.01;
-    spec.judge = [](const Life &life) {
-        const bool viable = life.outcome == Outcome::viable;
-        return Evaluation{life.displacement(), {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
-    };
     return spec;
 }
 

@@ -2,9 +2,9 @@
 #include "experiment/run.h"
 
 #include "base/error.h"
+#include "core/experiment/swimmers.h"
 #include "evaluation/live.h"
 #include "experiment/signature.h"
-#include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -16,20 +16,7 @@ using namespace planula;
 namespace {
 
 Spec small(std::string_view search, Actuation actuation = Actuation::oscillator) {
-    Spec spec;
-    spec.name = "small";
-    spec.actuation = actuation;
-    spec.actuation_range = spec.parameters.actuation_range_aquatic;
-    spec.search = search;
-    spec.environment = specimens::water();
-    spec.parameters.population = 12;
-    spec.parameters.generations = 4;
-    spec.parameters.locomotion_steps = 400;
-    spec.judge = [](const Life &life) {
-        const bool viable = life.outcome == Outcome::viable;
-        return Evaluation{life.displacement(), {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
-    };
-    return spec;
+    return swimmers(search, actuation, 12, 400);
 }
 
 std::string signature(const Spec &spec, std::uint64_t seed, int threads) {
