@@ -131,16 +131,10 @@ torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, 
 	@bash tests/torture/faults.sh $(PLANULA)
 TORTURE = random_genomes passive_bodies random_cases
 
-# Fifty runs a row of what takes seconds, and so many of the rest.
-BENCHMARK_RUNS ?= 20
-benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and mazes, and beside MultiNEAT: tests/benchmarks/*.csv
+BENCHMARK_RUNS ?= 50
+benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and mazes, and beside MultiNEAT: tests/benchmarks/*.csv; interrupt and go on at will
 	@cmake --build build --parallel $(JOBS) --target benchmarks multineat > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
-	@{ build/tests/benchmarks 1 50 xor one-pole two-poles; \
-	  build/tests/benchmarks 1 $(BENCHMARK_RUNS) one-pole-no-velocities two-poles-no-velocities medium-maze hard-maze | tail -n +2; \
-	  } | tee build/benchmarks.csv
-	@mv build/benchmarks.csv tests/benchmarks/results.csv
-	@build/tests/multineat 1 50 | tee build/multineat.csv
-	@mv build/multineat.csv tests/benchmarks/multineat.csv
+	@bash tests/benchmarks/tables.sh build/tests $(BENCHMARK_RUNS) build/benchmarks
 
 bench: ## how long a step, an embryo, a network update and a life take here, and native against Bullet
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) libbenchmark-dev

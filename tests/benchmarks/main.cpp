@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// benchmarks FIRST LAST [TASK…]: the searches of core/evolution on the field's benchmarks, each row of the table
-// with the seeds FIRST … LAST; of the named tasks or of all. Prints the table as CSV.
+// benchmarks FIRST LAST [ROW…]: the searches of core/evolution on the field's benchmarks, each row of the table
+// with the seeds FIRST … LAST; the rows called TASK or TASK/SEARCH/SETTINGS, or all. Prints the table as CSV.
+// benchmarks rows: prints the full name of every row.
 #include "base/parallel.h"
 #include "base/text.h"
 #include "benchmarks/maze.h"
@@ -29,6 +30,11 @@ struct Row {
     Settings settings;
     int evaluations; // the budget of a run, rounded up to whole generations
     Published published;
+
+    std::string name() const {
+        return std::string(task.name) + '/' + std::string(search) + '/' + std::string(settings.name);
+    }
+    bool called(std::string_view word) const { return word == task.name || word == name(); }
 };
 
 /// Every benchmark, each with the paper's settings and with its own.
@@ -88,23 +94,29 @@ void print(const Row &row, int first, int last) {
 } // namespace
 
 int main(int argc, char **argv) {
-    const auto first = parse_int(argc > 1 ? argv[1] : ""), last = parse_int(argc > 2 ? argv[2] : "");
     const std::vector<Row> rows = all_rows();
-    const std::vector<std::string_view> wanted(argv + std::min(argc, 3), argv + argc);
-    for (const std::string_view name : wanted)
-        if (std::none_of(rows.begin(), rows.end(), [&](const Row &row) { return row.task.name == name; })) {
-            std::fprintf(stderr, "benchmarks: no task is called '%s'\n", std::string(name).c_str());
-            return 2;
-        }
+    if (argc == 2 && argv[1] == std::string_view("rows")) {
+        for (const Row &row : rows) std::puts(row.name().c_str());
+        return 0;
+    }
+    const auto first = parse_int(argc > 1 ? argv[1] : ""), last = parse_int(argc > 2 ? argv[2] : "");
     if (!first || !last || *first < 1 || *last < *first || *last > 100'000) {
-        std::fputs("usage: benchmarks FIRST LAST [TASK…], seeds from 1 to 100000\n", stderr);
+        std::fputs("usage: benchmarks FIRST LAST [ROW…], seeds from 1 to 100000 | benchmarks rows\n", stderr);
         return 2;
     }
+    const std::vector<std::string_view> wanted(argv + 3, argv + argc);
+    for (const std::string_view word : wanted)
+        if (std::none_of(rows.begin(), rows.end(), [&](const Row &row) { return row.called(word); })) {
+            std::fprintf(stderr, "benchmarks: no task and no row is called '%s'\n",
+                         std::string(word).c_str());
+            return 2;
+        }
 
     std::puts("task,search,settings,population,budget,runs,successes,median_generations,mean_generations,"
               "median_evaluations,mean_evaluations,published_successes,published_mean_evaluations,source");
     for (const Row &row : rows)
-        if (wanted.empty() || std::find(wanted.begin(), wanted.end(), row.task.name) != wanted.end())
+        if (wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
+                                          [&](std::string_view word) { return row.called(word); }))
             print(row, static_cast<int>(*first), static_cast<int>(*last));
     return 0;
 }
