@@ -17,13 +17,13 @@ jobs=${JOBS:-$(nproc)}
 passed=0 failed=0
 [[ -s $golden ]] || { echo "signature: $golden is missing" >&2; exit 1; }
 
-# build COMPILER LEVEL: prints the program's path, having built it.
+# build COMPILER LEVEL [OPTION…]: prints the program's path, having built it.
 build() {
     local folder=build/signature/$1$2
     mkdir -p "$folder"
     [[ -f $folder/CMakeCache.txt ]] ||
         cmake -S . -B "$folder" -DCMAKE_CXX_COMPILER="$1" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$2" -DBUILD_TESTING=OFF \
-            > "$folder/log" 2>&1 || { cat "$folder/log" >&2; return 1; }
+            "${@:3}" > "$folder/log" 2>&1 || { cat "$folder/log" >&2; return 1; }
     cmake --build "$folder" --parallel "$jobs" --target planula > "$folder/log" 2>&1 || { cat "$folder/log" >&2; return 1; }
     echo "$folder/planula"
 }
@@ -45,7 +45,7 @@ cell() {
 case ${1-} in
     --alternative)
         compiler=g++ level=-O0
-        if command -v clang++ > /dev/null; then compiler=clang++ level=-O2; fi
+        if command -v clang++ > /dev/null; then compiler=clang++ level=-O1; fi
         program=$(build "$compiler" "$level")
         cell "$compiler $level" "$program" signature --script "$script" --threads "$jobs"
         ;;
@@ -53,7 +53,8 @@ case ${1-} in
         for compiler in g++ clang++; do
             command -v "$compiler" > /dev/null || { echo "signature: $compiler is not installed, left out"; continue; }
             for level in -O0 -O3; do
-                program=$(build "$compiler" "$level")
+                # Each source must include what it uses, which precompiled headers would hide.
+                program=$(build "$compiler" "$level" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
                 for lanes in scalar sse2 avx2; do
                     # A processor that lacks these lanes says so.
                     "$program" signature --lanes "$lanes" --script /dev/null 2>&1 | grep -q 'no lanes' ||
