@@ -136,13 +136,23 @@ benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and
 	@cmake --build build --parallel $(JOBS) --target benchmarks multineat > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
 	@bash tests/benchmarks/tables.sh build/tests $(BENCHMARK_RUNS) build/benchmarks
 
-bench: ## how long a step, an embryo, a network update and a life take here, and native against Bullet
-	@bash tests/support/packages.sh $(BUILD_PACKAGES) libbenchmark-dev
-	@mkdir -p build
+# The last generation that `bench` measures in evolving populations of all settings, and the experiment.
+UNTIL ?= 10
+bench: deps build/CMakeCache.txt ## how long a step, an embryo, a query and a life take here, native against Bullet, the pace of evolving populations and what a full replication would take: tests/bench/*.csv
+	@bash tests/support/packages.sh libbenchmark-dev
 	@cmake -S . -B build > build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
-	@cmake --build build --parallel $(JOBS) --target bench > build/bench.log 2>&1 || { cat build/bench.log; exit 1; }
-	@build/tests/bench --benchmark_out=build/bench.csv --benchmark_out_format=csv 2> build/bench.log
-	@echo 'bench: build/bench.csv'
+	@cmake --build build --parallel $(JOBS) --target planula bench > build/bench.log 2>&1 || { cat build/bench.log; exit 1; }
+	@build/tests/bench build/bench.csv 2> build/bench.log
+	@$(PLANULA) pace experiments/paper/replication.lua --until $(UNTIL) > build/pace.csv
+	@cp build/bench.csv tests/bench/$(machine).csv
+	@cp build/pace.csv tests/bench/$(machine)-pace.csv
+	@echo 'bench: tests/bench/$(machine).csv and tests/bench/$(machine)-pace.csv'
+machine = $(shell build/tests/bench --machine)
+
+instructions: deps build/CMakeCache.txt ## instructions of fixed pieces of work, against those kept in tests/bench/instructions.csv; KEEP=1 keeps the new ones
+	@bash tests/support/packages.sh valgrind
+	@cmake --build build --parallel $(JOBS) --target work > build/work.log 2>&1 || { cat build/work.log; exit 1; }
+	@bash tests/bench/instructions.sh build/tests/work $(if $(KEEP),--keep)
 
 lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
 	@failed=0; for check in layering sources format lint_test; do \
@@ -165,8 +175,8 @@ deps: ## packages to build and test
 deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity searches build program signature \
-        verify-signature torture benchmarks bench lint format clean deps deps-paper always
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity searches \
+        build program signature verify-signature torture benchmarks bench instructions lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:

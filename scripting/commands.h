@@ -22,6 +22,7 @@ const Command &status_command();
 const Command &lineage_command();
 const Command &genome_command();
 const Command &signature_command();
+const Command &pace_command();
 const Command &parameters_command();
 const Command &columns_command();
 

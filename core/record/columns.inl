@@ -412,6 +412,19 @@ COLUMN(int, links, "links", "links between its cells")
 COLUMN(int, triangles, "triangles", "triangles of its body")
 END_TABLE
 
+// ---- What planula prints ----
+
+TABLE(PaceRow, "pace.csv")
+COLUMN(std::string, setting, "", "name of the setting that evolved")
+COLUMN(int, first, "generation", "first of the generations that the row is about")
+COLUMN(int, last, "generation", "last of them")
+COLUMN(int, evaluations, "individuals", "individuals of these generations")
+COLUMN(int, known, "individuals", "those of them whose life, or its movement, was known and not lived again")
+COLUMN(double, cells, "cells", "mean cells of those that grew a viable body")
+COLUMN(double, core_seconds, "s", "processor time of these generations, growth, settling, judgement and reproduction included")
+COLUMN(double, rate, "individuals/s", "evaluations per core-second, those known not counted")
+END_TABLE
+
 #undef TABLE
 #undef COLUMN
 #undef END_TABLE

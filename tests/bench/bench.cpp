@@ -1,72 +1,37 @@
 // SPDX-License-Identifier: MIT
 // How long the parts of an evaluation take on this machine (`make bench`): a physics step by engine, world and size,
-// the native step by width of lanes, a network update, an embryo, a whole life. Time per iteration is time per step,
-// update, embryo or life; processor time, so that other programs disturb it less. The last lines say how many of
-// Bullet's steps a native step is worth, from the same run.
+// the native step by width of lanes, a network update, an embryo, a query of novelty, a whole life. Time per iteration
+// is time per step, update, embryo, query or life; processor time, so that other programs disturb it less. The last
+// lines say how many of Bullet's steps a native step is worth, from the same run.
 //
-//   bench [options of Google Benchmark]
-#include "base/math.h"
+//   bench [FILE.csv] [options of Google Benchmark]   FILE.csv: measure, value, unit
+//   bench --machine                                  what the CSV of this machine is called: processor and lanes
+#include "bench/cases.h"
 #include "development/grow.h"
 #include "evaluation/live.h"
 #include "physics/embody.h"
 #include "physics/native/native_engine.h"
-#include "support/specimens.h"
 
 #include <benchmark/benchmark.h>
 
+#include <cctype>
 #include <cstdio>
-#include <map>
+#include <fstream>
+#include <locale>
 #include <string>
+#include <utility>
 
 using namespace planula;
+using namespace planula::cases;
 using namespace planula::specimens;
 
 namespace {
 
-struct World {
-    const char *name;
-    Environment environment;
-};
-const World worlds[] = {{"water", water()}, {"land", land()}};
-
-struct Size {
-    int columns, rows;
-};
-constexpr Size sizes[] = {{6, 5}, {10, 10}, {20, 10}};
-
-Conditions conditions(Actuation actuation, const World &world) {
-    Conditions result;
-    const Parameters &p = result.parameters;
-    result.actuation = actuation;
-    result.environment = world.environment;
-    result.actuation_range =
-        world.environment.has_ground ? p.actuation_range_terrestrial : p.actuation_range_aquatic;
-    return result;
-}
-
-/// Elongations of a wave along the body at the knots of ten of its periods.
-std::vector<std::vector<double>> wave(const SoftBodyModel &model) {
-    std::vector<std::vector<double>> knots(100);
-    for (std::size_t knot = 0; knot < knots.size(); ++knot)
-        for (const Vec2d p : model.positions)
-            knots[knot].push_back(
-                0.15 * math::sin(0.2 * math::pi * static_cast<double>(knot) + 0.4 * p.x + 0.1 * p.y));
-    return knots;
-}
-
 /// One iteration is one step of a lattice on which a wave runs.
 void physics_step(benchmark::State &state, Engine &engine, const World &world, Size size) {
-    const Parameters parameters;
-    const auto model = embody(lattice(size.columns, size.rows), world.environment, parameters);
-    const auto knots = wave(model);
-    engine.load(model, world.environment);
-    int step = 0;
-    for (auto _ : state) {
-        const int knot = step / parameters.knot_interval;
-        if (step++ % parameters.knot_interval == 0)
-            engine.actuate(knots[knot % knots.size()], parameters.knot_interval);
-        benchmark::DoNotOptimize(engine.step(0));
-    }
+    Swimmer swimmer(engine, embody(lattice(size.columns, size.rows), world.environment, {}),
+                    world.environment);
+    for (auto _ : state) benchmark::DoNotOptimize(swimmer.step());
 }
 
 /// One iteration is one update of 100 cells.
@@ -79,6 +44,18 @@ void network_update(benchmark::State &state, Actuation actuation) {
     for (auto _ : state) {
         actuation == Actuation::grn ? step(network, activations) : evaluate(network, activations);
         benchmark::ClobberMemory();
+    }
+}
+
+/// One iteration looks for the neighbours of one individual in an archive.
+void novelty_query(benchmark::State &state, int archived) {
+    const PointIndex archive = end_points(archived, 1);
+    double x = -10;
+    for (auto _ : state) {
+        Nearest nearest(Parameters{}.novelty_neighbours);
+        archive.offer(std::vector{x, 0.5 * x}, 0, nearest);
+        benchmark::DoNotOptimize(nearest.list().back());
+        x = x > 10 ? -10 : x + 0.37;
     }
 }
 
@@ -95,10 +72,11 @@ void whole_life(benchmark::State &state, const Conditions &given, const Genome &
     for (auto _ : state) life = live(genome, given);
     state.counters["cells"] = life.cells;
     state.counters["settling"] = life.settle_steps;
+    state.counters["per_core_second"] = benchmark::Counter(1, benchmark::Counter::kIsIterationInvariantRate);
 }
 
 std::string step_name(std::string_view engine, const World &world, Size size) {
-    return "step/" + std::string(engine) + "/" + world.name + "/" + std::to_string(size.columns * size.rows);
+    return "step/" + std::string(engine) + "/" + world.name + "/" + std::to_string(size.cells());
 }
 
 void list_benchmarks() {
@@ -115,11 +93,15 @@ void list_benchmarks() {
             physics_step(state, engine, worlds[0], sizes[1]);
         });
 
+    for (const int archived : {1000, 10000})
+        RegisterBenchmark(("novelty/" + std::to_string(archived)).c_str(), novelty_query, archived);
     for (const auto &[name, actuation] :
          {std::pair("osc", Actuation::oscillator), std::pair("grn", Actuation::grn)}) {
         const std::string kind = name;
         RegisterBenchmark(("network/" + kind).c_str(), network_update, actuation);
-        const std::pair<const char *, Genome> genomes[] = {{"disc", disc_genome(actuation)},
+        const std::pair<const char *, Genome> genomes[] = {{"small_disc", disc_genome(actuation, 8)},
+                                                           {"disc", disc_genome(actuation)},
+                                                           {"large_disc", disc_genome(actuation, 20)},
                                                            {"two_legged", two_legged_genome(actuation)}};
         for (const auto &[body, genome] : genomes) {
             const std::string suffix = "/" + kind + "/" + body;
@@ -131,30 +113,76 @@ void list_benchmarks() {
     }
 }
 
-/// The usual table, and the times kept by name.
+/// The usual table, and the times by name, in nanoseconds.
 class Reporter : public benchmark::ConsoleReporter {
   public:
+    Reporter() : ConsoleReporter(OO_None) {}
     void ReportRuns(const std::vector<Run> &runs) override {
-        for (const Run &run : runs) times[run.benchmark_name()] = run.GetAdjustedCPUTime();
+        for (const Run &run : runs) times.emplace_back(run.benchmark_name(), run.GetAdjustedCPUTime());
         ConsoleReporter::ReportRuns(runs);
     }
-    std::map<std::string, double> times;
+    /// 0 if it was not measured.
+    double time_of(const std::string &name) const {
+        for (const auto &[each, time] : times)
+            if (each == name) return time;
+        return 0;
+    }
+    std::vector<std::pair<std::string, double>> times;
 };
+
+/// How many native steps take as long as one of Bullet's, by world and size.
+std::vector<std::pair<std::string, double>> ratios(const Reporter &reporter) {
+    std::vector<std::pair<std::string, double>> result;
+    for (const World &world : worlds)
+        for (const Size size : sizes) {
+            const double native = reporter.time_of(step_name("native", world, size));
+            const double bullet = reporter.time_of(step_name("bullet", world, size));
+            if (native > 0 && bullet > 0)
+                result.emplace_back(step_name("bullet:native", world, size), bullet / native);
+        }
+    return result;
+}
+
+void write_csv(const char *path, const Reporter &reporter) {
+    std::ofstream file(path);
+    file.imbue(std::locale::classic());
+    file.precision(4);
+    file << "measure,value,unit\n";
+    for (const auto &[name, time] : reporter.times) file << name << ',' << time / 1000 << ",us\n";
+    for (const auto &[name, ratio] : ratios(reporter)) file << name << ',' << ratio << ",1\n";
+    for (const auto &[name, time] : reporter.times)
+        if (name.starts_with("life/"))
+            file << "evaluations" << name.substr(4) << ',' << 1e9 / time << ",evaluations/core-second\n";
+}
+
+/// Processor and lanes, in letters, digits and dashes; no name of a host.
+std::string machine() {
+    std::ifstream info("/proc/cpuinfo");
+    std::string model = "unknown processor";
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) {
+            model = line.substr(line.find(':') + 1);
+            break;
+        }
+    std::string name;
+    for (const char c : model + ' ' + native::chosen_kernel().name)
+        if (std::isalnum(static_cast<unsigned char>(c)))
+            name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    return name;
+}
 
 } // namespace
 
 int main(int argc, char **argv) {
+    if (argc == 2 && argv[1] == std::string("--machine")) return std::puts(machine().c_str()), 0;
     benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    const char *path = argc > 1 && argv[1][0] != '-' ? argv[1] : nullptr;
+    if (benchmark::ReportUnrecognizedArguments(path ? argc - 1 : argc, path ? argv + 1 : argv)) return 2;
     list_benchmarks();
     Reporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    for (const World &world : worlds)
-        for (const Size size : sizes) {
-            const auto native = reporter.times.find(step_name("native", world, size));
-            const auto bullet = reporter.times.find(step_name("bullet", world, size));
-            if (native == reporter.times.end() || bullet == reporter.times.end()) continue;
-            std::printf("Bullet : native on %s at %d cells: %.1f\n", world.name, size.columns * size.rows,
-                        bullet->second / native->second);
-        }
+    for (const auto &[name, ratio] : ratios(reporter)) std::printf("%-30s %8.1f\n", name.c_str(), ratio);
+    if (path) write_csv(path, reporter);
 }

@@ -123,6 +123,19 @@ BOOST_AUTO_TEST_CASE(the_ledger_and_the_dictionary_have_a_line_for_everything) {
     BOOST_TEST(planula_says({"columns"}).out.starts_with("file,column,unit,meaning\n"));
 }
 
+BOOST_AUTO_TEST_CASE(pace_has_a_row_for_the_first_generation_and_for_ten_at_a_time) {
+    const Workplace place(small);
+    const Said said = planula_says({"pace", place.script(), "--until", "12"});
+    BOOST_TEST(said.code == 0, said.err);
+    BOOST_TEST(std::count(said.out.begin(), said.out.end(), '\n') == 4);
+    BOOST_TEST(test::contains(said.out, "\nsmall,0,0,6,0,"), said.out);
+    BOOST_TEST(test::contains(said.out, "\nsmall,1,10,60,"), said.out);
+    BOOST_TEST(test::contains(said.out, "\nsmall,11,12,12,"), said.out);
+    // The script's own design: two seeds of two generations of six.
+    BOOST_TEST(test::contains(said.err, "the whole design of small, 0.0 million individuals"), said.err);
+    BOOST_TEST(planula_says({"pace", place.script(), "--until", "-1"}).code == 2);
+}
+
 BOOST_AUTO_TEST_CASE(a_run_is_written_skipped_when_complete_and_redone_when_anything_changed) {
     const Workplace place(small);
     const Said first = planula_says({"run", place.script(), "--seeds", "7", "--out", place.runs()});

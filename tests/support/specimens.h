@@ -79,10 +79,10 @@ inline Genome lump_genome(Actuation actuation, int decisions) {
     return genome;
 }
 
-/// All cells divide in one direction, which turns by 44 degrees from decision to decision: a disc of 60 cells
-/// that moves.
-inline Genome disc_genome(Actuation actuation) {
-    Genome genome = line_genome(actuation, 14);
+/// All cells divide in one direction, which turns by 44 degrees from decision to decision: a disc that moves, of
+/// 60 cells after 14 decisions.
+inline Genome disc_genome(Actuation actuation, int decisions = 14) {
+    Genome genome = line_genome(actuation, decisions);
     wire(genome, input::bias, output::division_angle, 0.25);
     add_muscles(genome, actuation);
     return genome;

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Counts the instructions of fixed pieces of work with valgrind's callgrind and compares them with those kept in
+# instructions.csv: where a clock is noisy, a count is not. A piece that needs more than TOLERANCE percent more than was
+# kept fails; one that needs so much less is told of, so that the gain is kept too.
+#
+#   instructions.sh PROGRAM          compares; PROGRAM is the built `work`
+#   instructions.sh PROGRAM --keep   keeps the counts of this compiler
+set -euo pipefail
+export LC_ALL=C
+program=$1
+kept=$(dirname "$0")/instructions.csv
+tolerance=${TOLERANCE:-3}
+compiler=$("$program" --compiler)
+counts=$(mktemp)
+log=$(mktemp)
+trap 'rm -f "$counts" "$log"' EXIT
+
+for piece in $("$program"); do
+    if ! valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$piece" > "$log" 2>&1; then
+        cat "$log"
+        exit 1
+    fi
+    echo "$compiler,$piece,$(sed -n 's/^==.*Collected : //p' "$log")" >> "$counts"
+done
+
+if [[ ${2:-} == --keep ]]; then
+    others=$(awk -F, -v compiler="$compiler" 'NR > 1 && $1 != compiler' "$kept" 2> /dev/null || true)
+    { echo 'compiler,piece,instructions'; echo "$others"; cat "$counts"; } | sed '/^$/d' > "$kept.new"
+    mv "$kept.new" "$kept"
+    echo "instructions: $(wc -l < "$counts") counts of $compiler kept"
+    exit 0
+fi
+
+awk -F, -v compiler="$compiler" -v tolerance="$tolerance" '
+    FNR == NR { if ($1 == compiler) before[$2] = $3; next }
+    !($2 in before) { next }
+    {
+        change = 100 * ($3 / before[$2] - 1)
+        compared++
+        printf "%-28s %12d %+7.2f %%\n", $2, $3, change
+        if (change > tolerance) { failed++; print "instructions: " $2 " needs more than was kept" }
+        if (change < -tolerance) print "instructions: " $2 " needs less; keep that with KEEP=1"
+    }
+    END {
+        if (!compared) print "instructions: no counts of " compiler " are kept; KEEP=1 keeps some"
+        printf "instructions: %d passed, %d failed\n", compared - failed, failed + !compared
+        exit failed > 0 || !compared
+    }' "$kept" "$counts"
