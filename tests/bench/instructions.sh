@@ -4,8 +4,8 @@
 # instructions.csv: where a clock is noisy, a count is not. A piece that needs more than TOLERANCE percent more than was
 # kept fails; one that needs so much less is told of, so that the gain is kept too.
 #
-#   instructions.sh PROGRAM          compares; PROGRAM is the built `work`
-#   instructions.sh PROGRAM --keep   keeps the counts of this compiler
+#   instructions.sh PROGRAM [PIECE…]   compares all pieces, or these; PROGRAM is the built `work`
+#   instructions.sh PROGRAM --keep     keeps the counts of this compiler
 set -euo pipefail
 export LC_ALL=C
 program=$1
@@ -16,15 +16,23 @@ counts=$(mktemp)
 log=$(mktemp)
 trap 'rm -f "$counts" "$log"' EXIT
 
-for piece in $("$program"); do
-    if ! valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$piece" > "$log" 2>&1; then
+keep=
+pieces=("${@:2}")
+if [[ ${pieces[*]} == --keep ]]; then keep=yes pieces=(); fi
+((${#pieces[@]})) || mapfile -t pieces < <("$program")
+for piece in "${pieces[@]}"; do
+    failed=
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$piece" > "$log" 2>&1 || failed=yes
+    count=$(sed -n 's/^==.*Collected : \([0-9]*\)$/\1/p' "$log")
+    if [[ -n $failed || -z $count ]]; then
         cat "$log"
+        echo "instructions: $piece was not counted"
         exit 1
     fi
-    echo "$compiler,$piece,$(sed -n 's/^==.*Collected : //p' "$log")" >> "$counts"
+    echo "$compiler,$piece,$count" >> "$counts"
 done
 
-if [[ ${2:-} == --keep ]]; then
+if [[ -n $keep ]]; then
     others=$(awk -F, -v compiler="$compiler" 'NR > 1 && $1 != compiler' "$kept" 2> /dev/null || true)
     { echo 'compiler,piece,instructions'; echo "$others"; cat "$counts"; } | sed '/^$/d' > "$kept.new"
     mv "$kept.new" "$kept"
