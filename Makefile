@@ -144,10 +144,10 @@ bench: deps build/CMakeCache.txt ## how long a step, an embryo, a query and a li
 	@cmake --build build --parallel $(JOBS) --target planula bench > build/bench.log 2>&1 || { cat build/bench.log; exit 1; }
 	@build/tests/bench build/bench.csv 2> build/bench.log
 	@$(PLANULA) pace experiments/paper/replication.lua --until $(UNTIL) > build/pace.csv
-	@cp build/bench.csv tests/bench/$(machine).csv
-	@cp build/pace.csv tests/bench/$(machine)-pace.csv
-	@echo 'bench: tests/bench/$(machine).csv and tests/bench/$(machine)-pace.csv'
-machine = $(shell build/tests/bench --machine)
+	@machine=$$(build/tests/bench --machine); \
+	  cp build/bench.csv "tests/bench/$$machine.csv"; \
+	  cp build/pace.csv "tests/bench/$$machine-pace.csv"; \
+	  echo "bench: tests/bench/$$machine.csv and tests/bench/$$machine-pace.csv"
 
 instructions: deps build/CMakeCache.txt ## instructions of fixed pieces of work, against those kept in tests/bench/instructions.csv; KEEP=1 keeps the new ones
 	@bash tests/support/packages.sh valgrind
