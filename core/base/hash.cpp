@@ -18,11 +18,12 @@ constexpr bool is_prime(unsigned n) {
 /// standard's round constants are defined so (FIPS 180-4, section 4.2.2).
 constexpr std::uint32_t cube_root_fraction(unsigned n) {
     // The largest r with r^3 <= n * 2^96 has 2^32 times the root; compared in 128 bits.
-    unsigned __int128 low = 0, high = static_cast<unsigned __int128>(8) << 32;
+    __extension__ using Wide = unsigned __int128;
+    Wide low = 0, high = Wide(8) << 32;
     while (high - low > 1) {
-        const unsigned __int128 middle = (low + high) / 2;
+        const Wide middle = (low + high) / 2;
         // middle < 2^35, so middle^3 < 2^105 and n * 2^96 < 2^105 as n < 512.
-        if (middle * middle * middle <= static_cast<unsigned __int128>(n) << 96)
+        if (middle * middle * middle <= Wide(n) << 96)
             low = middle;
         else
             high = middle;
