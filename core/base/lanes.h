@@ -103,6 +103,13 @@ template <class Number_, int width_> struct LanesOf {
 template <int width> using Lanes = LanesOf<float, width>;
 template <int width> using DoubleLanes = LanesOf<double, width>;
 
+/// How many doubles lie side by side on every processor that this file is built for.
+#if defined(__SSE2__)
+constexpr int baseline_doubles = 2;
+#else
+constexpr int baseline_doubles = 1;
+#endif
+
 /// Four floats to a record, side by side in four numbers: a field each.
 template <class T> struct Fields { T a, b, c, d; };
 

@@ -2,6 +2,7 @@
 #include "body/mesh.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -31,11 +32,14 @@ std::vector<OutlineLink> outline(const Mesh &mesh) {
     return links;
 }
 
-std::vector<std::vector<int>> neighbours(const Mesh &mesh, int count) {
-    std::vector<std::vector<int>> result(static_cast<std::size_t>(count));
-    for (const auto &[a, b] : mesh.links) result[a].push_back(b), result[b].push_back(a);
-    for (auto &list : result) std::sort(list.begin(), list.end());
-    return result;
+Neighbours::Neighbours(const Mesh &mesh, int count)
+    : first_(static_cast<std::size_t>(count) + 1), lists_(2 * mesh.links.size()) {
+    for (const auto &[a, b] : mesh.links) ++first_[a], ++first_[b];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+
+    // Each list is filled from its end, so the links are taken from the last to the first.
+    for (auto link = mesh.links.rbegin(); link != mesh.links.rend(); ++link)
+        lists_[--first_[link->b]] = link->a, lists_[--first_[link->a]] = link->b;
 }
 
 } // namespace planula

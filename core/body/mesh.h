@@ -37,7 +37,20 @@ struct OutlineLink {
 /// The outline, ordered by the lower, then the higher index of each link's ends.
 std::vector<OutlineLink> outline(const Mesh &mesh);
 
-/// For each of `count` cells its neighbours by links, ascending.
-std::vector<std::vector<int>> neighbours(const Mesh &mesh, int count);
+/// For each cell its neighbours by links, ascending.
+class Neighbours {
+  public:
+    Neighbours() = default;
+    /// Of `count` cells.
+    Neighbours(const Mesh &mesh, int count);
+
+    std::span<const int> operator[](int cell) const {
+        return {lists_.data() + first_[cell], static_cast<std::size_t>(first_[cell + 1] - first_[cell])};
+    }
+
+  private:
+    std::vector<int> first_; // place of each cell's list in lists_, and the end
+    std::vector<int> lists_;
+};
 
 } // namespace planula

@@ -7,7 +7,7 @@ Embryo zygote(int network_nodes) {
     Embryo embryo;
     embryo.cells.resize(1);
     embryo.activations = Activations(network_nodes, 1);
-    embryo.neighbours.resize(1);
+    embryo.neighbours = Neighbours({}, 1);
     return embryo;
 }
 

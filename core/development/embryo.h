@@ -19,11 +19,11 @@ struct Cell {
 
 struct Embryo {
     std::vector<Cell> cells;
-    Activations activations;                  // of the cells' networks
-    Mesh mesh;                                // as of the last refresh
-    std::vector<std::vector<int>> neighbours; // of each cell in that mesh
-    int births = 1;                           // cells created, the zygote included
-    int largest = 1;                          // most cells alive at once
+    Activations activations; // of the cells' networks
+    Mesh mesh;               // as of the last refresh
+    Neighbours neighbours;   // of each cell in that mesh
+    int births = 1;          // cells created, the zygote included
+    int largest = 1;         // most cells alive at once
 };
 
 /// One cell at the origin, at rest, orientation +x, all activations 0.

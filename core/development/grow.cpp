@@ -82,7 +82,7 @@ bool is_sound(std::span<const Vec2d> places) { return all_finite(places) && !has
 
 void take_mesh(const Mesh &mesh, Embryo &embryo) {
     embryo.mesh = mesh;
-    embryo.neighbours = neighbours(embryo.mesh, static_cast<int>(embryo.cells.size()));
+    embryo.neighbours = Neighbours(embryo.mesh, static_cast<int>(embryo.cells.size()));
 }
 
 /// The neighbourhood at the cells' present places, for which those of the last refresh must all live. Returns

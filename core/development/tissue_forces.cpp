@@ -1,22 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include "development/tissue_forces.h"
 
+#include "base/lanes.h"
+
 namespace planula {
 
-std::vector<Vec2d> tissue_forces(const Embryo &embryo, const Parameters &p) {
-    std::vector<Vec2d> forces;
-    for (const Cell &cell : embryo.cells) forces.push_back(cell.velocity * -p.tissue_viscosity);
-    for (const auto &[a, b] : embryo.mesh.links) {
-        const Cell &first = embryo.cells[a], &second = embryo.cells[b];
-        const Vec2d offset = second.position - first.position;
-        const double l = length(offset);
-        if (l == 0) continue;
-        const Vec2d along = offset / l;
-        const double stretching = dot(second.velocity - first.velocity, along);
-        const double tension = p.tissue_stiffness * (l - 2 * p.cell_radius) + p.tissue_damping * stretching;
-        forces[a] += along * tension;
-        forces[b] -= along * tension;
+namespace {
+
+/// Adds the forces of `T::width` links to those on their ends.
+template <class T>
+void add_pulls(const Embryo &embryo, const Link *links, const Parameters &p, Vec2d *forces) {
+    const auto of_each = [&](const auto &difference) {
+        return load_each<T>(
+            [&](int lane) { return difference(embryo.cells[links[lane].a], embryo.cells[links[lane].b]); });
+    };
+    const Vec2<T> offset{of_each([](const Cell &a, const Cell &b) { return b.position.x - a.position.x; }),
+                         of_each([](const Cell &a, const Cell &b) { return b.position.y - a.position.y; })};
+    const Vec2<T> speed{of_each([](const Cell &a, const Cell &b) { return b.velocity.x - a.velocity.x; }),
+                        of_each([](const Cell &a, const Cell &b) { return b.velocity.y - a.velocity.y; })};
+
+    const T l = sqrt(squared_length(offset));
+    const Vec2<T> along = offset / l;
+    const T tension =
+        T(p.tissue_stiffness) * (l - T(2 * p.cell_radius)) + T(p.tissue_damping) * dot(speed, along);
+    const T none(0);
+    const Vec2<T> pull = select(l <= none, Vec2<T>{none, none}, along * tension);
+
+    double x[T::width], y[T::width];
+    store(pull.x, x), store(pull.y, y);
+    for (int lane = 0; lane < T::width; ++lane) {
+        forces[links[lane].a] += {x[lane], y[lane]};
+        forces[links[lane].b] -= {x[lane], y[lane]};
     }
+}
+
+} // namespace
+
+std::vector<Vec2d> tissue_forces(const Embryo &embryo, const Parameters &p) {
+    std::vector<Vec2d> forces(embryo.cells.size());
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = embryo.cells[i].velocity * -p.tissue_viscosity;
+
+    using Several = DoubleLanes<baseline_doubles>;
+    const Link *link = embryo.mesh.links.data(), *const end = link + embryo.mesh.links.size();
+    for (; end - link >= Several::width; link += Several::width)
+        add_pulls<Several>(embryo, link, p, forces.data());
+    for (; link != end; ++link) add_pulls<DoubleLanes<1>>(embryo, link, p, forces.data());
     return forces;
 }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 namespace planula {
@@ -30,38 +29,38 @@ Delaunay triangulated(std::span<const Vec2d> points) {
     }
     Delaunay mesh(indexed.begin(), indexed.end());
     CHECK(mesh.number_of_vertices() == points.size(), mesh.number_of_vertices(), points.size());
+    mesh.infinite_vertex()->info() = -1;
     return mesh;
 }
 
-/// Indices packed into one number, in whose order they are sorted: the first counts most.
-constexpr int digit_bits = 21;
-int digit(std::uint64_t key, int place) {
-    return static_cast<int>(key >> (place * digit_bits) & ((1u << digit_bits) - 1));
+std::vector<Delaunay::Vertex_handle> vertices_of(const Delaunay &mesh) {
+    std::vector<Delaunay::Vertex_handle> vertices(mesh.number_of_vertices());
+    for (const auto vertex : mesh.finite_vertex_handles()) vertices[vertex->info()] = vertex;
+    return vertices;
 }
-std::uint64_t pack(int a, int b) { return static_cast<std::uint64_t>(a) << digit_bits | b; }
 
 /// Edges and faces with indices instead of handles, in one order for all.
-Triangulation indexed(const Delaunay &mesh) {
-    CHECK(mesh.number_of_vertices() < 1u << digit_bits);
-    std::vector<std::uint64_t> edges, faces;
-    edges.reserve(3 * mesh.number_of_vertices()), faces.reserve(2 * mesh.number_of_vertices());
-    for (auto edge = mesh.finite_edges_begin(); edge != mesh.finite_edges_end(); ++edge) {
-        const int a = edge->first->vertex(mesh.cw(edge->second))->info();
-        const int b = edge->first->vertex(mesh.ccw(edge->second))->info();
-        edges.push_back(pack(std::min(a, b), std::max(a, b)));
-    }
-    for (auto face = mesh.finite_faces_begin(); face != mesh.finite_faces_end(); ++face) {
-        std::array<int, 3> corners{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
-        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-        faces.push_back(pack(corners[0], corners[1]) << digit_bits | corners[2]);
-    }
-
-    std::sort(edges.begin(), edges.end());
-    std::sort(faces.begin(), faces.end());
+Triangulation indexed(const Delaunay &mesh, std::span<const Delaunay::Vertex_handle> vertices) {
     Triangulation result;
-    result.edges.reserve(edges.size()), result.faces.reserve(faces.size());
-    for (const auto key : edges) result.edges.push_back({digit(key, 1), digit(key, 0)});
-    for (const auto key : faces) result.faces.push_back({digit(key, 2), digit(key, 1), digit(key, 0)});
+    result.edges.reserve(3 * vertices.size()), result.faces.reserve(2 * vertices.size());
+    std::vector<std::array<int, 2>> spokes;
+    for (int a = 0; a < static_cast<int>(vertices.size()) && mesh.dimension() > 0; ++a) {
+        // Higher neighbours, each with the one that follows it counter-clockwise.
+        spokes.clear();
+        const auto start = mesh.incident_vertices(vertices[a]);
+        auto neighbour = start;
+        do {
+            const int b = neighbour->info();
+            ++neighbour;
+            if (b > a) spokes.push_back({b, neighbour->info()});
+        } while (neighbour != start);
+
+        std::sort(spokes.begin(), spokes.end());
+        for (const auto &[b, c] : spokes) {
+            result.edges.push_back({a, b});
+            if (c > a && mesh.dimension() == 2) result.faces.push_back({a, b, c});
+        }
+    }
     return result;
 }
 
@@ -131,23 +130,32 @@ Motion straighten(Delaunay &mesh) {
     return Motion::lost;
 }
 
-/// Flips edges until each face's circle holds no corner of its neighbours, ties broken as by insertion (Lawson
-/// 1977). Returns whether any was flipped.
+/// Whether a corner of one face beside this edge lies in the circle of the other, ties broken as by insertion.
+bool must_flip(const Delaunay &mesh, const Delaunay::Edge &edge) {
+    const auto [face, i] = edge;
+    const auto other = face->neighbor(i);
+    if (mesh.is_infinite(face) || mesh.is_infinite(other)) return false;
+    const Point &opposite = other->vertex(mesh.mirror_index(face, i))->point();
+    return mesh.side_of_oriented_circle(face->vertex(0)->point(), face->vertex(1)->point(),
+                                        face->vertex(2)->point(), opposite, true) == CGAL::ON_POSITIVE_SIDE;
+}
+
+/// Flips edges until none must be (Lawson 1977). Returns whether any was.
 bool make_delaunay(Delaunay &mesh) {
     bool flipped = false;
-    for (bool again = true; again;) {
-        again = false;
-        for (auto edge = mesh.finite_edges_begin(); edge != mesh.finite_edges_end(); ++edge) {
-            const auto [face, i] = *edge;
-            const auto other = face->neighbor(i);
-            if (mesh.is_infinite(face) || mesh.is_infinite(other)) continue;
-            const Point &opposite = other->vertex(mesh.mirror_index(face, i))->point();
-            if (mesh.side_of_oriented_circle(face->vertex(0)->point(), face->vertex(1)->point(),
-                                             face->vertex(2)->point(), opposite,
-                                             true) != CGAL::ON_POSITIVE_SIDE)
-                continue;
-            mesh.flip(face, i);
-            flipped = again = true;
+    std::vector<Delaunay::Edge> suspects(mesh.finite_edges_begin(), mesh.finite_edges_end());
+    while (!suspects.empty()) {
+        const Delaunay::Edge edge = suspects.back();
+        suspects.pop_back();
+        if (!must_flip(mesh, edge)) continue;
+        const auto face = edge.first, other = face->neighbor(edge.second);
+        mesh.flip(face, edge.second);
+        flipped = true;
+
+        // The four edges around the flipped one. Those that stood for edges of these faces stand for some of them still.
+        for (int i = 0; i < 3; ++i) {
+            if (face->neighbor(i) != other) suspects.emplace_back(face, i);
+            if (other->neighbor(i) != face) suspects.emplace_back(other, i);
         }
     }
     return flipped;
@@ -155,7 +163,10 @@ bool make_delaunay(Delaunay &mesh) {
 
 } // namespace
 
-Triangulation delaunay(std::span<const Vec2d> points) { return indexed(triangulated(points)); }
+Triangulation delaunay(std::span<const Vec2d> points) {
+    const Delaunay mesh = triangulated(points);
+    return indexed(mesh, vertices_of(mesh));
+}
 
 struct MovingDelaunay::Mesh {
     Delaunay mesh;
@@ -167,11 +178,8 @@ MovingDelaunay::~MovingDelaunay() = default;
 
 void MovingDelaunay::start(std::span<const Vec2d> points) {
     mesh_ = std::make_unique<Mesh>(Mesh{triangulated(points), {}});
-    mesh_->vertices.resize(points.size());
-    for (auto vertex = mesh_->mesh.finite_vertices_begin(); vertex != mesh_->mesh.finite_vertices_end();
-         ++vertex)
-        mesh_->vertices[vertex->info()] = vertex;
-    now_ = indexed(mesh_->mesh);
+    mesh_->vertices = vertices_of(mesh_->mesh);
+    now_ = indexed(mesh_->mesh, mesh_->vertices);
     changed_ = true;
 }
 
@@ -192,7 +200,7 @@ bool MovingDelaunay::follow(std::span<const Vec2d> points) {
         vertices.push_back(vertex);
         changed_ = true;
     }
-    if (changed_) now_ = indexed(mesh);
+    if (changed_) now_ = indexed(mesh, vertices);
     return true;
 }
 

@@ -10,8 +10,8 @@ namespace planula {
 
 GrnMuscles::GrnMuscles(const Network &network, const Body &body, const Tissue &tissue,
                        const Parameters &parameters)
-    : network_(network), parameters_(parameters), neighbours_(neighbours(body.mesh, body.cells())),
-      tissue_(tissue), previous_(body.positions.size(), 0.0), newest_(body.positions.size(), 0.0) {
+    : network_(network), parameters_(parameters), neighbours_(body.mesh, body.cells()), tissue_(tissue),
+      previous_(body.positions.size(), 0.0), newest_(body.positions.size(), 0.0) {
     for (int cell = 0; cell < body.cells(); ++cell) {
         const auto inputs = sense(body.positions[cell], 0, 1, parameters);
         for (int node = 0; node < input::count; ++node) tissue_.activations.at(cell, node) = inputs[node];

@@ -24,7 +24,7 @@ class GrnMuscles : public Gait {
 
     const Network &network_;
     const Parameters &parameters_;
-    std::vector<std::vector<int>> neighbours_;
+    Neighbours neighbours_;
     Tissue tissue_;
     std::vector<double> previous_, newest_; // spring output s of each cell, before and after the last update
     int updates_ = 0;

@@ -17,7 +17,7 @@ Embryo star(std::vector<Vec2d> places) {
     }
     for (std::size_t i = 0; i < places.size(); ++i) embryo.cells[i].position = places[i];
     embryo.births = embryo.largest = static_cast<int>(places.size());
-    embryo.neighbours = neighbours(embryo.mesh, static_cast<int>(places.size()));
+    embryo.neighbours = Neighbours(embryo.mesh, static_cast<int>(places.size()));
     return embryo;
 }
 
