@@ -12,7 +12,7 @@ local symbols = {
   ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['~'] = '\\textasciitilde{}', ['^'] = '\\textasciicircum{}',
   ['&'] = '\\&', ['%'] = '\\%', ['$'] = '\\$', ['#'] = '\\#', ['_'] = '\\_',
   ['≥'] = '$\\ge$', ['≤'] = '$\\le$', ['≠'] = '$\\ne$', ['≈'] = '$\\approx$', ['×'] = '$\\times$', ['−'] = '$-$', ['±'] = '$\\pm$',
-  ['·'] = '$\\cdot$', ['∞'] = '$\\infty$', ['α'] = '$\\alpha$', ['ℓ'] = '$\\ell$', ['δ'] = '$\\delta$', ['ρ'] = '$\\rho$', ['λ'] = '$\\lambda$',
+  ['·'] = '$\\cdot$', ['∞'] = '$\\infty$', ['α'] = '$\\alpha$', ['ℓ'] = '$\\ell$', ['δ'] = '$\\delta$', ['ρ'] = '$\\rho$', ['∇'] = '$\\nabla$', ['λ'] = '$\\lambda$',
   ['μ'] = '$\\mu$', ['π'] = '$\\pi$', ['φ'] = '$\\phi$', ['→'] = '$\\to$', ['<'] = '\\textless{}', ['>'] = '\\textgreater{}',
   ['"'] = '\\textquotedbl{}', ['|'] = '\\textbar{}',
 }
@@ -344,38 +344,36 @@ local searches = {
   { 'bodies-first', 'novelty, from diverse bodies' },
 }
 
--- Lowest, median and highest of a column of these runs.
+-- Of a column of these runs, there is at least one: median, lowest and highest; or the mean.
 local function spread(runs, column)
   local values = {}
   for _, run in ipairs(runs) do values[#values + 1] = tonumber(run[column]) end
-  if #values == 0 then return '--' end
   local middle = median(values) -- sorts them
   return ('%.1f (%.1f--%.1f)'):format(middle, values[1], values[#values])
 end
-
-local function mean(runs, column)
+local function mean(runs, column, form)
   local sum = 0
-  for _, run in ipairs(runs) do sum = sum + (tonumber(run[column]) or 0) end
-  return #runs > 0 and sum / #runs
+  for _, run in ipairs(runs) do sum = sum + tonumber(run[column]) end
+  return form:format(sum / #runs)
 end
 
 -- What each search found, in both worlds.
 function tables.print_searches()
-  local lines = { '\begin{tabular}{l@{\quad}rrr@{\quad}rrr}', '\toprule',
-    ' & \multicolumn{3}{c}{in water} & \multicolumn{3}{c}{on land} \\', '\cmidrule(r){2-4}\cmidrule(l){5-7}',
-    'search & best fitness & shapes & sizes & best fitness & shapes & sizes \\', '\midrule' }
+  local head = {
+    ' & \\multicolumn{3}{c}{in water} & \\multicolumn{3}{c}{on land} \\\\', '\\cmidrule(r){2-4}\\cmidrule(l){5-7}',
+    'search & best fitness & shapes & sizes & best fitness & shapes & sizes \\\\' }
+  local lines = {}
   for _, search in ipairs(searches) do
     local cells = { search[2] }
     for _, world in ipairs { 'aq-', 'te-' } do
       local runs = csv.where(data.searches, { setting = world .. search[1] })
       cells[#cells + 1] = spread(runs, 'best_fitness')
-      cells[#cells + 1] = #runs > 0 and ('%.3f'):format(mean(runs, 'shape_diversity_last')) or '--'
-      cells[#cells + 1] = #runs > 0 and ('%.2f'):format(mean(runs, 'size_entropy')) or '--'
+      cells[#cells + 1] = mean(runs, 'shape_diversity_last', '%.3f')
+      cells[#cells + 1] = mean(runs, 'size_entropy', '%.2f')
     end
-    lines[#lines + 1] = table.concat(cells, ' & ') .. ' \\'
+    lines[#lines + 1] = row_of(cells)
   end
-  lines[#lines + 1] = '\bottomrule\end{tabular}'
-  tex.print(lines)
+  print_tabular('l@{\\quad}rrr@{\\quad}rrr', head, lines)
 end
 
 -- A number that all runs of that comparison have in common, and how many a setting has.
