@@ -37,10 +37,7 @@ void physics_step(benchmark::State &state, Engine &engine, const World &world, S
 /// One iteration is one update of 100 cells.
 void network_update(benchmark::State &state, Actuation actuation) {
     const Network network = express(random_genome(actuation, 1), Parameters{}.propagation_limit);
-    constexpr int cells = 100;
-    Activations activations(network.nodes, cells);
-    for (int cell = 0; cell < cells; ++cell)
-        for (int node = 0; node < network.nodes; ++node) activations.at(cell, node) = 0.01 * cell;
+    Activations activations = hundred_cells(network);
     for (auto _ : state) {
         actuation == Actuation::grn ? step(network, activations) : evaluate(network, activations);
         benchmark::ClobberMemory();

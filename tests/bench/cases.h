@@ -6,6 +6,8 @@
 #include "base/random.h"
 #include "evaluation/conditions.h"
 #include "evolution/neighbours.h"
+#include "network/activations.h"
+#include "network/network.h"
 #include "physics/engine.h"
 #include "physics/soft_body.h"
 #include "support/specimens.h"
@@ -68,6 +70,15 @@ class Swimmer {
     const std::vector<std::vector<double>> knots_;
     std::size_t steps_ = 0;
 };
+
+/// A hundred cells with activations of their own.
+inline Activations hundred_cells(const Network &network) {
+    constexpr int cells = 100;
+    Activations activations(network.nodes, cells);
+    for (int cell = 0; cell < cells; ++cell)
+        for (int node = 0; node < network.nodes; ++node) activations.at(cell, node) = 0.01 * cell;
+    return activations;
+}
 
 /// End points of so many individuals, dense at the start as those of populations are.
 inline PointIndex end_points(int count, std::uint64_t seed) {

@@ -5,6 +5,7 @@
 //   work              lists the pieces
 //   work PIECE        does one
 //   work --compiler   who compiled it: another compiler needs other instructions
+#include "base/lane_sets.h"
 #include "bench/cases.h"
 #include "development/grow.h"
 #include "evaluation/live.h"
@@ -33,12 +34,13 @@ double steps(const native::Kernel &kernel, const World &world, const Body &body)
     return sum;
 }
 
+/// Updates of 100 cells.
 double network_updates(Actuation actuation) {
     const Network network = express(specimens::random_genome(actuation, 1), Parameters{}.propagation_limit);
-    std::vector<double> activations(static_cast<std::size_t>(network.nodes), 0.5);
-    for (int i = 0; i < 10000; ++i)
+    Activations activations = hundred_cells(network);
+    for (int i = 0; i < 500; ++i)
         actuation == Actuation::grn ? step(network, activations) : evaluate(network, activations);
-    return activations.back();
+    return activations.at(0, network.nodes - 1);
 }
 
 double embryo(Actuation actuation) {
@@ -96,7 +98,7 @@ int main(int argc, char **argv) {
 #else
     const std::string compiler = "gcc " + std::to_string(__GNUC__);
 #endif
-    native::choose_kernel("scalar"); // the lives', on every processor
+    choose_lanes("scalar"); // the lives' and networks', on every processor
     if (asked == "--compiler") return std::puts(compiler.c_str()), 0;
     for (const auto &[name, work] : pieces()) {
         if (asked.empty()) std::puts(name.c_str());
