@@ -97,8 +97,8 @@ double held_unrest(const Genome &genome, Conditions conditions) {
             velocities.push_back((nodes[i] - before[i]) / p.time_step);
         at_end = unrest(nodes, velocities);
     };
-    live(genome, conditions, watch);
-    return at_end;
+    const Life life = live(genome, conditions, watch);
+    return life.outcome == Outcome::exploded ? p.node_speed_limit / p.time_step : at_end;
 }
 
 WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,

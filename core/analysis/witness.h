@@ -29,8 +29,8 @@ struct WitnessedLives {
     double held_unrest;       // native, muscles held: unrest() at the end, cells/t.u.
 };
 
-/// unrest() of the body when, after its life, the muscles have held still for as long again; 0 if that life ends
-/// early.
+/// unrest() of the body when, after its life, the muscles have held still for as long again; the speed limit of
+/// nodes if it explodes, 0 if it never settles.
 double held_unrest(const Genome &genome, Conditions conditions);
 
 /// The row of one champion.

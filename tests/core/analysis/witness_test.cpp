@@ -7,6 +7,7 @@
 #include "experiment/run.h"
 #include "record/csv.h"
 #include "record/genome_table.h"
+#include "support/print.h"
 #include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
@@ -99,6 +100,14 @@ BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscle
         conditions.refinement = 2;
         BOOST_TEST(live(genome, conditions).displacement() == way, tt::tolerance(0.02));
     }
+}
+
+BOOST_AUTO_TEST_CASE(a_body_that_explodes_is_as_restless_as_can_be) {
+    Conditions conditions{.actuation_range = 0.4, .environment = specimens::water()};
+    conditions.parameters.time_step = 0.02;
+    const Genome genome = specimens::lump_genome(Actuation::oscillator, 6);
+    BOOST_TEST(live(genome, conditions).outcome == Outcome::exploded);
+    BOOST_TEST(held_unrest(genome, conditions) == 50);
 }
 
 BOOST_AUTO_TEST_CASE(what_muscles_do_is_not_unrest) {
