@@ -34,8 +34,9 @@ void Forces<T>::add_springs(std::span<const double> rest_lengths, std::span<cons
     const auto damping = static_cast<T>(model_->parameters.spring_damping);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
         const auto [a, b] = model_->links[i];
-        const Vec2<T> force = spring_force(position[b] - position[a], velocity[b] - velocity[a], stiffness,
-                                           stiffness * static_cast<T>(rest_lengths[i]), damping);
+        const auto spring = spring_to(position[b] - position[a], velocity[b] - velocity[a]);
+        const Vec2<T> force =
+            spring_force(spring, stiffness, stiffness * static_cast<T>(rest_lengths[i]), damping);
         forces[a] += force;
         forces[b] -= force;
     }

@@ -9,14 +9,24 @@
 
 namespace planula {
 
-/// The force on the first end of a spring, the second lying at `offset` and moving with `velocity` relative
-/// to it: k(l − L) + c·dl/dt along the spring, with stiffness k, `stiffness_rest` k·L and damping c.
-template <class T>
-Vec2<T> spring_force(Vec2<T> offset, Vec2<T> velocity, T stiffness, T stiffness_rest, T damping) {
+/// A spring as its first end sees it: the offset of the second, its velocity times that, and 1/length.
+template <class T> struct Spring {
+    Vec2<T> offset;
+    T departing, per_length;
+};
+
+/// The second end lying at `offset` and moving with `velocity` relative to the first.
+template <class T> Spring<T> spring_to(Vec2<T> offset, Vec2<T> velocity) {
     using std::max, std::sqrt;
     const T per_length = T(1) / sqrt(max(squared_length(offset), T(1e-12)));
-    const T slowing = damping * (dot(velocity, offset) * per_length);
-    return offset * (stiffness + (slowing - stiffness_rest) * per_length);
+    return {offset, dot(velocity, offset), per_length};
+}
+
+/// The force on the first end: k(l − L) + c·dl/dt along the spring, with stiffness k, `stiffness_rest` k·L and
+/// damping c.
+template <class T> Vec2<T> spring_force(const Spring<T> &spring, T stiffness, T stiffness_rest, T damping) {
+    const T slowing = damping * (spring.departing * spring.per_length);
+    return spring.offset * (stiffness + (slowing - stiffness_rest) * spring.per_length);
 }
 
 /// The rest length of a spring between two nodes whose muscles lengthen what they hold by these shares: L =

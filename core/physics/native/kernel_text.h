@@ -41,16 +41,28 @@ Vec2<T> add_fan(const StepTask &task, const Group &group, int lane, const Record
                 Vec2<T> force) {
     const T stiffness(task.stiffness), damping(task.damping), knot_steps(task.knot_steps);
     Vec2<T> before = load_nodes<T>(now, group.last + lane).position - self.position;
-    const Slot *const end = task.slots + group.first_slot + group.slots;
-    for (const Slot *slot = task.slots + group.first_slot; slot != end; ++slot) {
-        const Nodes<T> other = load_nodes<T>(now, slot->neighbour + lane);
-        const Vec2<T> offset = other.position - self.position;
-        const T pull = load<T>(slot->pull + lane) + knot_steps * load<T>(slot->pull_change + lane);
-        force += spring_force(offset, other.velocity - self.velocity, stiffness, pull, damping);
-        const Pressure<T> pressure{load<T>(slot->twice_area + lane), load<T>(slot->pressure_slope + lane)};
-        force += pressure_force(before, offset, pressure);
-        before = offset;
+    const auto spring_in = [&](const Slot &slot) {
+        const Nodes<T> other = load_nodes<T>(now, slot.neighbour + lane);
+        return spring_to(other.position - self.position, other.velocity - self.velocity);
+    };
+    const auto add = [&](const Spring<T> &spring, const Slot &slot) {
+        const T pull = load<T>(slot.pull + lane) + knot_steps * load<T>(slot.pull_change + lane);
+        force += spring_force(spring, stiffness, pull, damping);
+        const Pressure<T> pressure{load<T>(slot.twice_area + lane), load<T>(slot.pressure_slope + lane)};
+        force += pressure_force(before, spring.offset, pressure);
+        before = spring.offset;
+    };
+
+    // Each root and division is begun a slot before its result is needed.
+    const Slot *slot = task.slots + group.first_slot, *const end = slot + group.slots;
+    if (slot == end) return force;
+    Spring<T> spring = spring_in(*slot);
+    for (; slot + 1 != end; ++slot) {
+        const Spring<T> next = spring_in(slot[1]);
+        add(spring, *slot);
+        spring = next;
     }
+    add(spring, *slot);
     return force;
 }
 
@@ -71,32 +83,51 @@ template <class T> GroundPlane<T> ground_below(const StepTask &task, T x) {
     return {{load<T>(plane[0]), load<T>(plane[1])}, {load<T>(plane[2]), load<T>(plane[3])}};
 }
 
-template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const Record *now, Record *next) {
+/// Nodes and the forces on them.
+template <class T> struct Forced {
+    Nodes<T> nodes;
+    Vec2<T> force;
+    int first; // node
+};
+
+/// Moves nodes by a step: semi-implicit Euler with the ground in between (decision 0008). Returns their velocity.
+template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
     const T time_step(task.time_step), slowing(task.slowing), fall(task.fall), friction(task.friction);
+    const auto &[position, velocity] = forced.nodes;
+    Vec2<T> v = (velocity + forced.force * time_step) * slowing;
+    v.y = v.y - fall;
+    if (task.slopes > 0) v = ground_contact(position, v, ground_below(task, position.x), friction, time_step);
+    store_nodes<T>({position + v * time_step, v}, next + forced.first);
+    return v;
+}
+
+template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const Record *now, Record *next) {
     const T limit(task.squared_limit);
     T fastest(0);
     auto within = fastest <= limit;
-    for (int i = 0; i < task.group_count; ++i)
-        for (int lane = 0; lane < group_size; lane += T::width) {
-            // The forces on these nodes.
-            const int node = i * group_size + lane;
-            const Nodes<T> self = load_nodes<T>(now + node);
-            const Vec2<T> push{load<T>(task.push_x + node), load<T>(task.push_y + node)};
-            const Vec2<T> force = add_fan(task, task.groups[i], lane, now, self, push);
+    const auto finish = [&](const Forced<T> &forced) {
+        // The guard (B5); numbers that are not are within no limit.
+        const T squared = squared_length(advance(task, forced, next));
+        within = within & (squared <= limit);
+        fastest = max(fastest, squared);
+    };
+    const auto forced_at = [&](int first) -> Forced<T> {
+        const Nodes<T> self = load_nodes<T>(now + first);
+        const Vec2<T> push{load<T>(task.push_x + first), load<T>(task.push_y + first)};
+        return {self, add_fan(task, task.groups[first / group_size], first % group_size, now, self, push),
+                first};
+    };
 
-            // Semi-implicit Euler with the ground in between (decision 0008).
-            Vec2<T> v = (self.velocity + force * time_step) * slowing;
-            v.y = v.y - fall;
-            if (task.slopes > 0)
-                v = ground_contact(self.position, v, ground_below(task, self.position.x), friction,
-                                   time_step);
-            store_nodes<T>({self.position + v * time_step, v}, next + node);
-
-            // The guard (B5); numbers that are not are within no limit.
-            const T squared = squared_length(v);
-            within = within & (squared <= limit);
-            fastest = max(fastest, squared);
-        }
+    // Nodes are moved once the forces on the next ones are summed, so that the two chains of operations overlap.
+    const int end = task.group_count * group_size;
+    if (end == 0) return {};
+    Forced<T> forced = forced_at(0);
+    for (int first = T::width; first < end; first += T::width) {
+        const Forced<T> next_forced = forced_at(first);
+        finish(forced);
+        forced = next_forced;
+    }
+    finish(forced);
     return {-least_of(-fastest), !all_of<T>(within)};
 }
 
