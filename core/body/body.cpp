@@ -13,8 +13,12 @@
 namespace planula {
 
 Body make_body(std::vector<Vec2d> positions, double link_limit) {
-    Body body{.positions = std::move(positions)};
-    body.mesh = connect(body.positions, link_limit);
+    Mesh mesh = connect(positions, link_limit);
+    return make_body(std::move(positions), std::move(mesh));
+}
+
+Body make_body(std::vector<Vec2d> positions, Mesh mesh) {
+    Body body{.positions = std::move(positions), .mesh = std::move(mesh)};
     for (const auto &[a, b] : body.mesh.links)
         body.rest_lengths.push_back(length(body.positions[b] - body.positions[a]));
     for (const auto &[a, b, c] : body.mesh.triangles) {

@@ -18,7 +18,8 @@ struct Body {
     int cells() const { return static_cast<int>(positions.size()); }
 };
 
-/// The body over these cell centres: finite and pairwise different.
+/// The body over these cell centres, finite and pairwise different, with their mesh: connect().
+Body make_body(std::vector<Vec2d> positions, Mesh mesh);
 Body make_body(std::vector<Vec2d> positions, double link_limit);
 
 /// Mean of points, summed in index order; (0, 0) of none.

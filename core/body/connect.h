@@ -4,7 +4,7 @@
 #pragma once
 
 #include "body/mesh.h"
-#include "geometry/delaunay.h"
+#include "geometry/moving_delaunay.h"
 
 namespace planula {
 
@@ -24,18 +24,20 @@ class Connection {
     /// anew; then cells may coincide.
     bool follow(std::span<const Vec2d> positions);
 
-    const Mesh &mesh() const { return mesh_; }
+    const std::vector<Link> &links() const { return links_; }
     /// Whether links are others than before the last start() or follow().
     bool has_changed() const { return changed_; }
+    Mesh mesh() const;
 
   private:
     void connect_all(std::span<const Vec2d> positions);
 
     double limit_;
     MovingDelaunay delaunay_;
-    Mesh mesh_;
+    std::vector<Link> links_;
     std::vector<char> short_; // per edge of the triangulation
-    bool all_short_ = false;  // whether no link is longer than the limit
+    std::size_t cells_ = 0;
+    bool all_short_ = false; // whether no link is longer than the limit
     bool changed_ = false;
 };
 

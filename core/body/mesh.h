@@ -41,8 +41,8 @@ std::vector<OutlineLink> outline(const Mesh &mesh);
 class Neighbours {
   public:
     Neighbours() = default;
-    /// Of `count` cells.
-    Neighbours(const Mesh &mesh, int count);
+    /// Of `count` cells with these links, ascending.
+    Neighbours(std::span<const Link> links, int count);
 
     std::span<const int> operator[](int cell) const {
         return {lists_.data() + first_[cell], static_cast<std::size_t>(first_[cell + 1] - first_[cell])};

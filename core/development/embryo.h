@@ -20,8 +20,8 @@ struct Cell {
 struct Embryo {
     std::vector<Cell> cells;
     Activations activations; // of the cells' networks
-    Mesh mesh;               // as of the last refresh
-    Neighbours neighbours;   // of each cell in that mesh
+    std::vector<Link> links; // as of the last refresh, ascending
+    Neighbours neighbours;   // of each cell by these links
     int births = 1;          // cells created, the zygote included
     int largest = 1;         // most cells alive at once
 };

@@ -80,11 +80,6 @@ bool all_finite(std::span<const Vec2d> places) {
 /// Whether the cells can be triangulated.
 bool is_sound(std::span<const Vec2d> places) { return all_finite(places) && !has_coincident_points(places); }
 
-void take_mesh(const Mesh &mesh, Embryo &embryo) {
-    embryo.mesh = mesh;
-    embryo.neighbours = Neighbours(embryo.mesh, static_cast<int>(embryo.cells.size()));
-}
-
 /// The neighbourhood at the cells' present places, for which those of the last refresh must all live. Returns
 /// whether they can be triangulated.
 bool refresh(bool all_live, Connection &connection, Embryo &embryo) {
@@ -93,14 +88,17 @@ bool refresh(bool all_live, Connection &connection, Embryo &embryo) {
         if (!is_sound(places)) return false;
         connection.start(places);
     }
-    if (connection.has_changed()) take_mesh(connection.mesh(), embryo);
+    if (connection.has_changed()) {
+        embryo.links = connection.links();
+        embryo.neighbours = Neighbours(embryo.links, static_cast<int>(embryo.cells.size()));
+    }
     return true;
 }
 
-/// All steps of development. Returns viable if cells are left that can be triangulated.
+/// All steps of development, and the neighbourhood at its end. Returns viable if cells are left that can be
+/// triangulated.
 Outcome develop(const Network &network, Actuation actuation, const Parameters &parameters,
-                const GrowthWatch &watch, Embryo &embryo) {
-    Connection connection(parameters.link_limit * 2 * parameters.cell_radius);
+                const GrowthWatch &watch, Connection &connection, Embryo &embryo) {
     bool all_live = false; // the cells of the last refresh
     for (int step = 0; step < parameters.development_steps; ++step) {
         if (step % parameters.decision_interval == 0) {
@@ -114,10 +112,10 @@ Outcome develop(const Network &network, Actuation actuation, const Parameters &p
             if (!refresh(all_live, connection, embryo)) return Outcome::exploded;
             all_live = true;
         }
-        if (watch) watch(step, positions(embryo), embryo.mesh.links);
+        if (watch) watch(step, positions(embryo), embryo.links);
         relax(parameters, embryo);
     }
-    return is_sound(positions(embryo)) ? Outcome::viable : Outcome::exploded;
+    return refresh(all_live, connection, embryo) ? Outcome::viable : Outcome::exploded;
 }
 
 Tissue read_tissue(const Embryo &embryo) {
@@ -131,17 +129,16 @@ Tissue read_tissue(const Embryo &embryo) {
 Growth grow(const Network &network, Actuation actuation, const Parameters &parameters,
             const GrowthWatch &watch) {
     Embryo embryo = zygote(network.nodes);
+    Connection connection(parameters.link_limit * 2 * parameters.cell_radius);
     Growth growth;
-    growth.outcome = develop(network, actuation, parameters, watch, embryo);
+    growth.outcome = develop(network, actuation, parameters, watch, connection, embryo);
     growth.cells = static_cast<int>(embryo.cells.size());
     growth.largest = embryo.largest;
     growth.births = embryo.births;
     if (growth.outcome != Outcome::viable) return growth;
 
-    // One last triangulation is the template of the body; oscillators are read out over it, at time 1
-    // (§2.6.1).
-    growth.body = make_body(positions(embryo), parameters.link_limit * 2 * parameters.cell_radius);
-    take_mesh(growth.body.mesh, embryo);
+    // The last triangulation is the template of the body; oscillators are read out over it, at time 1 (§2.6.1).
+    growth.body = make_body(positions(embryo), connection.mesh());
     if (watch) watch(parameters.development_steps, growth.body.positions, growth.body.mesh.links);
     if (actuation == Actuation::oscillator && !update_networks(network, actuation, 1, parameters, embryo))
         growth.outcome = Outcome::exploded;

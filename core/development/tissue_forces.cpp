@@ -42,7 +42,7 @@ std::vector<Vec2d> tissue_forces(const Embryo &embryo, const Parameters &p) {
         forces[i] = embryo.cells[i].velocity * -p.tissue_viscosity;
 
     using Several = DoubleLanes<baseline_doubles>;
-    const Link *link = embryo.mesh.links.data(), *const end = link + embryo.mesh.links.size();
+    const Link *link = embryo.links.data(), *const end = link + embryo.links.size();
     for (; end - link >= Several::width; link += Several::width)
         add_pulls<Several>(embryo, link, p, forces.data());
     for (; link != end; ++link) add_pulls<DoubleLanes<1>>(embryo, link, p, forces.data());

@@ -7,43 +7,36 @@
 #include "base/vec2.h"
 
 #include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
 namespace planula {
 
+using Edges = std::vector<std::array<int, 2>>;     // low index first, ascending
+using Triangles = std::vector<std::array<int, 3>>; // counter-clockwise, lowest index first, ascending
+
 struct Triangulation {
-    std::vector<std::array<int, 2>> edges; // low index first, ascending
-    std::vector<std::array<int, 3>> faces; // counter-clockwise, lowest index first, ascending
+    Edges edges;
+    Triangles triangles;
 };
 
 /// One point: nothing; two: one edge; collinear points: the chain along their line. Points must be finite and
 /// pairwise different (InternalError otherwise: CGAL would silently lose a vertex).
 Triangulation delaunay(std::span<const Vec2d> points);
 
-/// The triangulation of points that move: kept as long as it is right, and mended by flips.
-class MovingDelaunay {
-  public:
-    MovingDelaunay();
-    ~MovingDelaunay();
+/// A face and those around it. Outside the hull each of its edges makes a face with a point at infinity.
+struct Face {
+    std::array<int, 3> corner; // counter-clockwise; infinity: the point at infinity
+    std::array<int, 3> beyond; // the face across the edge opposite to each corner
 
-    /// Of new points; as delaunay().
-    void start(std::span<const Vec2d> points);
-    /// The same points at new, finite places, and any number of points more: as delaunay() of them, sooner.
-    /// False if points have moved so far past each other that a few exchanged edges do not mend it, there are no faces or
-    /// points coincide, so that it must be started again; then points may coincide, else they do not.
-    bool follow(std::span<const Vec2d> points);
-
-    const Triangulation &now() const { return now_; }
-    /// False only if edges and faces are those before the last start() or follow().
-    bool has_changed() const { return changed_; }
-
-  private:
-    struct Mesh; // of CGAL
-    std::unique_ptr<Mesh> mesh_;
-    Triangulation now_;
-    bool changed_ = false;
+    static constexpr int infinity = -1;
 };
+
+/// All faces of delaunay(), in any order; none if the points lie on one line.
+std::vector<Face> delaunay_faces(std::span<const Vec2d> points);
+
+/// The edges of `points` points, and the faces that are not to infinity.
+Edges edges_of(std::span<const Face> faces, std::size_t points);
+Triangles triangles_of(std::span<const Face> faces, std::size_t points);
 
 } // namespace planula

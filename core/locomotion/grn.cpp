@@ -10,7 +10,7 @@ namespace planula {
 
 GrnMuscles::GrnMuscles(const Network &network, const Body &body, const Tissue &tissue,
                        const Parameters &parameters)
-    : network_(network), parameters_(parameters), neighbours_(body.mesh, body.cells()), tissue_(tissue),
+    : network_(network), parameters_(parameters), neighbours_(body.mesh.links, body.cells()), tissue_(tissue),
       previous_(body.positions.size(), 0.0), newest_(body.positions.size(), 0.0) {
     for (int cell = 0; cell < body.cells(); ++cell) {
         const auto inputs = sense(body.positions[cell], 0, 1, parameters);

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_rim_of_a_hole_is_outline_like_any_other) {
 }
 
 BOOST_AUTO_TEST_CASE(neighbours_are_listed_both_ways_in_order) {
-    const Neighbours lists(Mesh{{{0, 2}, {0, 4}, {1, 2}, {2, 3}}, {}}, 6);
+    const Neighbours lists(std::vector<Link>{{0, 2}, {0, 4}, {1, 2}, {2, 3}}, 6);
     const auto holds = [&](int cell, const std::vector<int> &list) {
         return std::ranges::equal(lists[cell], list);
     };

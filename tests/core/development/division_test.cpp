@@ -13,11 +13,11 @@ Embryo star(std::vector<Vec2d> places) {
     for (std::size_t i = 1; i < places.size(); ++i) {
         embryo.cells.push_back(embryo.cells[0]);
         embryo.cells.back().id = static_cast<int>(i);
-        embryo.mesh.links.push_back({0, static_cast<int>(i)});
+        embryo.links.push_back({0, static_cast<int>(i)});
     }
     for (std::size_t i = 0; i < places.size(); ++i) embryo.cells[i].position = places[i];
     embryo.births = embryo.largest = static_cast<int>(places.size());
-    embryo.neighbours = Neighbours(embryo.mesh, static_cast<int>(places.size()));
+    embryo.neighbours = Neighbours(embryo.links, static_cast<int>(places.size()));
     return embryo;
 }
 

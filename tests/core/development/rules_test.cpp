@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(the_read_out_hears_what_was_told_at_step_570_over_the_final
     BOOST_REQUIRE(told.cells.size() == growth.body.positions.size());
     std::vector<double> morphogens;
     for (const Vec2d place : told.cells) morphogens.push_back(east(place));
-    const Neighbours adjacent(growth.body.mesh, growth.cells);
+    const Neighbours adjacent(growth.body.mesh.links, growth.cells);
     for (int cell = 0; cell < growth.cells; ++cell)
         BOOST_TEST(output_of(growth, cell, output::period) == math::tanh(mean(adjacent[cell], morphogens)),
                    near);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(a_decision_hears_the_previous_one_over_the_links_of_ten_ste
     BOOST_REQUIRE(told.cells.size() == growth.body.positions.size());
     std::vector<double> morphogens;
     for (const Vec2d place : told.cells) morphogens.push_back(east(place));
-    const Neighbours adjacent({linked.links, {}}, growth.cells);
+    const Neighbours adjacent(linked.links, growth.cells);
     for (int cell = 0; cell < growth.cells; ++cell)
         BOOST_TEST(output_of(growth, cell, output::spring) == math::tanh(mean(adjacent[cell], morphogens)),
                    near);
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(a_decision_reads_the_links_before_its_deaths_and_the_dying_
     BOOST_REQUIRE(growth.cells > 3);
     std::vector<double> morphogens;
     for (const Vec2d place : told.cells) morphogens.push_back(east(place));
-    const Neighbours adjacent({linked.links, {}}, 13);
+    const Neighbours adjacent(linked.links, 13);
     for (int cell = 0; cell < growth.cells; ++cell)
         BOOST_TEST(output_of(growth, cell, output::spring) == math::tanh(mean(adjacent[cell], morphogens)),
                    near);

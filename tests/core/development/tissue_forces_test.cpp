@@ -12,7 +12,7 @@ Embryo pair(double distance) {
     embryo.cells.push_back(embryo.cells[0]);
     embryo.cells[1].id = 1;
     embryo.cells[1].position = {distance, 0};
-    embryo.mesh.links = {{0, 1}};
+    embryo.links = {{0, 1}};
     return embryo;
 }
 
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_step_is_semi_implicit_euler) {
 
 BOOST_AUTO_TEST_CASE(speed_is_clamped_in_its_direction) {
     Embryo embryo = pair(1);
-    embryo.mesh.links.clear();
+    embryo.links.clear();
     embryo.cells[0].velocity = {300, 400};
     relax(Parameters{}, embryo);
     BOOST_TEST(embryo.cells[0].velocity.x == 30, near); // 0.5 cells a step are 50 cells/t.u.

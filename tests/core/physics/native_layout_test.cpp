@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE(every_cell_has_one_slot_for_each_neighbour) {
         BOOST_TEST(layout.cell_of.size() == native::group_size * layout.groups.size());
         auto found = fans(layout);
         for (auto &fan : found) std::sort(fan.begin(), fan.end());
-        const Neighbours expected(body.mesh, body.cells());
+        const Neighbours expected(body.mesh.links, body.cells());
         for (int cell = 0; cell < body.cells(); ++cell)
             BOOST_TEST(std::ranges::equal(found[cell], expected[cell]));
     }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The Delaunay triangulation of points that move: kept as long as it is right, and mended by exchanging edges where it
+// is not (Lawson 1977). New points are inserted by digging out the faces in whose circles they lie (Bowyer 1981, Watson
+// 1981). What comes of it is delaunay() of the same points, whatever went before.
+#pragma once
+
+#include "geometry/delaunay.h"
+
+#include <span>
+#include <vector>
+
+namespace planula {
+
+class MovingDelaunay {
+  public:
+    /// Of new points; as delaunay().
+    void start(std::span<const Vec2d> points);
+    /// The same points at new, finite places, and any number of points more: as delaunay() of them, sooner.
+    /// False if points have moved so far past each other that a few exchanged edges do not mend it, there are no faces or
+    /// points coincide, so that it must be started again; then points may coincide, else they do not.
+    bool follow(std::span<const Vec2d> points);
+
+    const Edges &edges() const { return edges_; }
+    Triangles triangles() const { return triangles_of(faces_, points_.size()); }
+    /// False only if edges and triangles are those before the last start() or follow().
+    bool has_changed() const { return changed_; }
+
+  private:
+    /// What became of a triangulation whose points have moved.
+    enum class Motion { harmless, mended, lost };
+    struct Edge {
+        int face, corner; // the edge of a face that is opposite to one of its corners
+    };
+    struct Rim {
+        int face, corner; // of a face outside a hole, whose edge opposite to that corner is on its rim
+        int from, to;     // the ends of that edge, with the hole on its left
+    };
+
+    Vec2d at(int face, int corner) const { return points_[faces_[face].corner[corner]]; }
+    void flip(const Edge &edge);
+    bool exchange(const Edge &edge);
+    Motion mend_faces();
+    Motion mend_hull();
+    Motion straighten();
+    bool must_flip(const Edge &edge) const;
+    bool make_delaunay();
+
+    bool insert(Vec2d point);
+    int locate(Vec2d point) const;
+    bool encircles(int face, Vec2d point) const;
+    void dig(int face, Vec2d point);
+    void fill(int vertex);
+
+    std::vector<Vec2d> points_;
+    std::vector<Face> faces_;
+    Edges edges_;
+    bool changed_ = false;
+    int latest_ = 0; // a face
+
+    // Working space.
+    std::vector<Edge> suspects_;
+    std::vector<int> hole_;     // faces
+    std::vector<char> in_hole_; // per face
+    std::vector<Rim> rim_;
+    std::vector<int> face_from_,
+        face_to_; // per vertex, infinity first: the new face whose rim goes from and to it
+};
+
+} // namespace planula
