@@ -17,7 +17,8 @@ constexpr std::uint64_t signed_seed = 1;
 
 constexpr Option options[] = {
     threads_option,
-    {"lanes", "NAME", "how many numbers the kernels work on at once: scalar, sse2, avx2 (default: most)"},
+    {"lanes", "NAME",
+     "how many numbers the kernels work on at once: scalar, sse2, avx2, avx512 (default: most)"},
     {"script", "FILE", "the experiment whose settings are signed (default: the paper's replication)"},
 };
 

@@ -13,13 +13,15 @@ namespace planula {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> names{"scalar", "sse2", "avx2"};
+constexpr std::array<std::string_view, 4> names{"scalar", "sse2", "avx2", "avx512"};
 
 std::vector<LaneSet> runnable_sets() {
     std::vector<LaneSet> result{LaneSet::scalar};
 #if defined(__x86_64__)
     result.push_back(LaneSet::sse2);
     if (__builtin_cpu_supports("avx2")) result.push_back(LaneSet::avx2);
+    if (__builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+        result.push_back(LaneSet::avx512);
 #endif
     return result;
 }

@@ -8,10 +8,10 @@
 
 namespace planula {
 
-/// Numbers one by one, and in vectors of 16 and of 32 bytes.
-enum class LaneSet { scalar, sse2, avx2 };
+/// Numbers one by one, and in vectors of 16, of 32 and of 64 bytes.
+enum class LaneSet { scalar, sse2, avx2, avx512 };
 
-/// "scalar", "sse2", "avx2".
+/// "scalar", "sse2", "avx2", "avx512".
 std::string_view name_of(LaneSet lanes);
 
 /// Those that this build has and this processor runs, narrowest first; scalar is always there.

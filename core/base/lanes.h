@@ -6,6 +6,8 @@
 // includes this: files built for different instruction sets share no code through the linker.
 #pragma once
 
+#include <utility>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -47,6 +49,18 @@ inline __m256 lesser_of(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
 inline __m256d root_of(__m256d a) { return _mm256_sqrt_pd(a); }
 inline __m256d greater_of(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
 inline __m256d lesser_of(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
+#endif
+
+#if defined(__AVX512DQ__)
+inline unsigned signs_of(__m512 a) { return _mm512_movepi32_mask((__m512i)a); }
+inline unsigned signs_of(__m512d a) { return _mm512_movepi64_mask((__m512i)a); }
+// With a mask of all lanes, since GCC 12 warns of what is uninitialized in its plain ones.
+inline __m512 root_of(__m512 a) { return _mm512_maskz_sqrt_ps(0xffff, a); }
+inline __m512 greater_of(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+inline __m512 lesser_of(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
+inline __m512d root_of(__m512d a) { return _mm512_maskz_sqrt_pd(0xff, a); }
+inline __m512d greater_of(__m512d a, __m512d b) { return _mm512_maskz_max_pd(0xff, a, b); }
+inline __m512d lesser_of(__m512d a, __m512d b) { return _mm512_maskz_min_pd(0xff, a, b); }
 #endif
 
 /// `width` numbers: 1, or as many as the instruction set that this file is built for holds.
@@ -148,28 +162,37 @@ template <class T> typename T::Number least_of(T lanes) {
     return numbers[0];
 }
 
-/// Rows to columns, in each block of four lanes.
+// Vectors as blocks of four floats.
+template <class Vector> using LaneNumbers = std::make_integer_sequence<int, sizeof(Vector) / sizeof(float)>;
+
+/// In each block the i-th and j-th of `one`, then the k-th and l-th of `two`.
+template <int i, int j, int k, int l, class Vector, int... lane>
+Vector within_blocks(Vector one, Vector two, std::integer_sequence<int, lane...>) {
+    constexpr int picked[] = {i, j, sizeof...(lane) + k, sizeof...(lane) + l};
+    return __builtin_shufflevector(one, two, (lane / 4 * 4 + picked[lane % 4])...);
+}
+template <int i, int j, int k, int l, class Vector> Vector within_blocks(Vector one, Vector two) {
+    return within_blocks<i, j, k, l>(one, two, LaneNumbers<Vector>{});
+}
+
+/// Half as many blocks of `one` as it has, from the first on by `stride` blocks, then the same of `two`.
+template <int first, int stride, class Vector, int... lane>
+Vector whole_blocks(Vector one, Vector two, std::integer_sequence<int, lane...>) {
+    constexpr int half = sizeof...(lane) / 2;
+    return __builtin_shufflevector(
+        one, two, (lane / half * 2 * half + 4 * (first + lane % half / 4 * stride) + lane % 4)...);
+}
+template <int first, int stride, class Vector> Vector whole_blocks(Vector one, Vector two) {
+    return whole_blocks<first, stride>(one, two, LaneNumbers<Vector>{});
+}
+
+/// Rows to columns, in each block.
 template <class T, class Floats = typename T::Vector>
 Fields<T> transposed(Floats r0, Floats r1, Floats r2, Floats r3) {
-    if constexpr (T::width == 4) {
-        const Floats ab01 = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
-        const Floats cd01 = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
-        const Floats ab23 = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
-        const Floats cd23 = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
-        return {T::of(__builtin_shufflevector(ab01, ab23, 0, 1, 4, 5)),
-                T::of(__builtin_shufflevector(ab01, ab23, 2, 3, 6, 7)),
-                T::of(__builtin_shufflevector(cd01, cd23, 0, 1, 4, 5)),
-                T::of(__builtin_shufflevector(cd01, cd23, 2, 3, 6, 7))};
-    } else {
-        const Floats ab01 = __builtin_shufflevector(r0, r1, 0, 8, 1, 9, 4, 12, 5, 13);
-        const Floats cd01 = __builtin_shufflevector(r0, r1, 2, 10, 3, 11, 6, 14, 7, 15);
-        const Floats ab23 = __builtin_shufflevector(r2, r3, 0, 8, 1, 9, 4, 12, 5, 13);
-        const Floats cd23 = __builtin_shufflevector(r2, r3, 2, 10, 3, 11, 6, 14, 7, 15);
-        return {T::of(__builtin_shufflevector(ab01, ab23, 0, 1, 8, 9, 4, 5, 12, 13)),
-                T::of(__builtin_shufflevector(ab01, ab23, 2, 3, 10, 11, 6, 7, 14, 15)),
-                T::of(__builtin_shufflevector(cd01, cd23, 0, 1, 8, 9, 4, 5, 12, 13)),
-                T::of(__builtin_shufflevector(cd01, cd23, 2, 3, 10, 11, 6, 7, 14, 15))};
-    }
+    const Floats ab01 = within_blocks<0, 1, 0, 1>(r0, r1), cd01 = within_blocks<2, 3, 2, 3>(r0, r1);
+    const Floats ab23 = within_blocks<0, 1, 0, 1>(r2, r3), cd23 = within_blocks<2, 3, 2, 3>(r2, r3);
+    return {T::of(within_blocks<0, 2, 0, 2>(ab01, ab23)), T::of(within_blocks<1, 3, 1, 3>(ab01, ab23)),
+            T::of(within_blocks<0, 2, 0, 2>(cd01, cd23)), T::of(within_blocks<1, 3, 1, 3>(cd01, cd23))};
 }
 
 /// The four fields of `T::width` records, which lie at record_at(0), record_at(1), ….
@@ -182,6 +205,17 @@ template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &
         const auto row = [&](int i) { return load<T>(record_at(i)).value; };
         return transposed<T>(row(0), row(1), row(2), row(3));
     }
+#if defined(__AVX512DQ__)
+    if constexpr (T::width == 16) {
+        const auto rows = [&](int i) {
+            const __m256 low = _mm256_loadu2_m128(record_at(i + 4), record_at(i));
+            const __m512 three =
+                _mm512_insertf32x4(_mm512_castps256_ps512(low), _mm_loadu_ps(record_at(i + 8)), 2);
+            return _mm512_insertf32x4(three, _mm_loadu_ps(record_at(i + 12)), 3);
+        };
+        return transposed<T>(rows(0), rows(1), rows(2), rows(3));
+    }
+#endif
 #if defined(__AVX__)
     if constexpr (T::width == 8) {
         const auto rows = [&](int i) { return _mm256_loadu2_m128(record_at(i + 4), record_at(i)); };
@@ -199,16 +233,22 @@ template <class T> void store_fields(const Fields<T> &fields, float *to) {
             transposed<T>(fields.a.value, fields.b.value, fields.c.value, fields.d.value);
         if constexpr (T::width == 4) {
             store(r0, to), store(r1, to + 4), store(r2, to + 8), store(r3, to + 12);
-        } else {
+        } else if constexpr (T::width == 8) {
             // Each holds two records, four apart.
-            const auto join = [](T one, T two) {
-                return T::of(__builtin_shufflevector(one.value, two.value, 0, 1, 2, 3, 8, 9, 10, 11));
-            };
-            const auto rest = [](T one, T two) {
-                return T::of(__builtin_shufflevector(one.value, two.value, 4, 5, 6, 7, 12, 13, 14, 15));
-            };
+            const auto join = [](T one, T two) { return T::of(whole_blocks<0, 1>(one.value, two.value)); };
+            const auto rest = [](T one, T two) { return T::of(whole_blocks<1, 1>(one.value, two.value)); };
             store(join(r0, r1), to), store(join(r2, r3), to + 8);
             store(rest(r0, r1), to + 16), store(rest(r2, r3), to + 24);
+        } else {
+            // Each holds four records, four apart.
+            const auto r01 = whole_blocks<0, 1>(r0.value, r1.value),
+                       r23 = whole_blocks<0, 1>(r2.value, r3.value);
+            const auto s01 = whole_blocks<2, 1>(r0.value, r1.value),
+                       s23 = whole_blocks<2, 1>(r2.value, r3.value);
+            store(T::of(whole_blocks<0, 2>(r01, r23)), to),
+                store(T::of(whole_blocks<1, 2>(r01, r23)), to + 16);
+            store(T::of(whole_blocks<0, 2>(s01, s23)), to + 32),
+                store(T::of(whole_blocks<1, 2>(s01, s23)), to + 48);
         }
     }
 }

@@ -6,16 +6,12 @@
 namespace planula::neural {
 
 Kernel kernel_for(LaneSet lanes) {
-    switch (lanes) {
 #if defined(__x86_64__)
-    case LaneSet::avx2:
-        return avx2_kernel();
-    case LaneSet::sse2:
-        return sse2_kernel();
+    constexpr Kernel (*makers[])() = {scalar_kernel, sse2_kernel, avx2_kernel, avx512_kernel};
+#else
+    constexpr Kernel (*makers[])() = {scalar_kernel};
 #endif
-    default:
-        return scalar_kernel();
-    }
+    return makers[static_cast<std::size_t>(lanes)]();
 }
 
 } // namespace planula::neural

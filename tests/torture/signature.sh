@@ -55,7 +55,7 @@ case ${1-} in
             for level in -O0 -O3; do
                 # Each source must include what it uses, which precompiled headers would hide.
                 program=$(build "$compiler" "$level" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
-                for lanes in scalar sse2 avx2; do
+                for lanes in scalar sse2 avx2 avx512; do
                     # A processor that lacks these lanes says so.
                     "$program" signature --lanes "$lanes" --script /dev/null 2>&1 | grep -q 'no lanes' ||
                         cell "$compiler $level, $lanes" "$program" signature --script "$script" --lanes "$lanes"

@@ -18,7 +18,7 @@ void Contact::load(const Layout &layout, const Kernel &kernel) {
     layout_ = &layout, kernel_ = &kernel;
     reach_ = static_cast<float>(layout.model.parameters.contact_radius);
     first_node_ = layout.first_outline_node / group_size * group_size;
-    end_node_ = static_cast<int>(layout.cell_of.size());
+    end_node_ = layout.groups * group_size;
     listed_at_.clear(), searched_at_.clear(), touches_.clear();
     const std::size_t links = layout.outline.size() * group_size;
     circle_x_.resize(links), circle_y_.resize(links), circle_squared_radius_.resize(links);

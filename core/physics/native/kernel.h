@@ -20,8 +20,8 @@ struct Slope {
 
 /// One step of all nodes: their state, what acts on them, and the numbers of the laws.
 struct StepTask {
-    const Group *groups;
-    int group_count;
+    const GroupPair *pairs;
+    int groups; // one or two of each pair
     const Slot *slots;
     const float *push_x, *push_y;   // per node: forces other than of springs and pressure
     float knot_steps;               // since the last knot, this one included
@@ -47,8 +47,8 @@ struct DragTask {
 
 /// The muscles' way from one knot to the next in `steps` steps.
 struct KnotTask {
-    int group_count;
-    const Group *groups;
+    const GroupPair *pairs;
+    int groups;
     const float *elongation; // per node, at the next knot
     float steps;
 };
@@ -65,7 +65,7 @@ struct Circles {
 };
 
 struct Kernel {
-    const char *name; // "scalar", "sse2", "avx2"
+    const char *name; // as of its LaneSet
     /// Moves all nodes from `now` to `next`.
     StepResult (*step)(const StepTask &task, const Record *now, Record *next);
     /// Half the drag on each outline link.

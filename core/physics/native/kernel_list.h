@@ -10,5 +10,6 @@ namespace planula::native {
 Kernel scalar_kernel();
 Kernel sse2_kernel();
 Kernel avx2_kernel();
+Kernel avx512_kernel();
 
 } // namespace planula::native

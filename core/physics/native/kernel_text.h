@@ -35,12 +35,18 @@ template <class T> void store_nodes(const Nodes<T> &nodes, Record *records) {
                  &records->x);
 }
 
-/// The forces of springs and pressure on some nodes of a group, from lane `lane` on, added to `force`.
+/// The slots that nodes of a pair need, from lane `lane` on.
+template <class T> int slots_of(const GroupPair &pair, int lane) {
+    if (T::width < pair_size) return pair.slots[lane / group_size];
+    return pair.slots[0] < pair.slots[1] ? pair.slots[1] : pair.slots[0];
+}
+
+/// The forces of springs and pressure on some nodes of a pair, from lane `lane` on, added to `force`.
 template <class T>
-Vec2<T> add_fan(const StepTask &task, const Group &group, int lane, const Record *now, const Nodes<T> &self,
-                Vec2<T> force) {
+Vec2<T> add_fan(const StepTask &task, const GroupPair &pair, int lane, const Record *now,
+                const Nodes<T> &self, Vec2<T> force) {
     const T stiffness(task.stiffness), damping(task.damping), knot_steps(task.knot_steps);
-    Vec2<T> before = load_nodes<T>(now, group.last + lane).position - self.position;
+    Vec2<T> before = load_nodes<T>(now, pair.last + lane).position - self.position;
     const auto spring_in = [&](const Slot &slot) {
         const Nodes<T> other = load_nodes<T>(now, slot.neighbour + lane);
         return spring_to(other.position - self.position, other.velocity - self.velocity);
@@ -54,7 +60,7 @@ Vec2<T> add_fan(const StepTask &task, const Group &group, int lane, const Record
     };
 
     // Each root and division is begun a slot before its result is needed.
-    const Slot *slot = task.slots + group.first_slot, *const end = slot + group.slots;
+    const Slot *slot = task.slots + pair.first_slot, *const end = slot + slots_of<T>(pair, lane);
     if (slot == end) return force;
     Spring<T> spring = spring_in(*slot);
     for (; slot + 1 != end; ++slot) {
@@ -114,12 +120,12 @@ template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const 
     const auto forced_at = [&](int first) -> Forced<T> {
         const Nodes<T> self = load_nodes<T>(now + first);
         const Vec2<T> push{load<T>(task.push_x + first), load<T>(task.push_y + first)};
-        return {self, add_fan(task, task.groups[first / group_size], first % group_size, now, self, push),
+        return {self, add_fan(task, task.pairs[first / pair_size], first % pair_size, now, self, push),
                 first};
     };
 
     // Nodes are moved once the forces on the next ones are summed, so that the two chains of operations overlap.
-    const int end = task.group_count * group_size;
+    const int end = task.groups * group_size;
     if (end == 0) return {};
     Forced<T> forced = forced_at(0);
     for (int first = T::width; first < end; first += T::width) {
@@ -148,20 +154,21 @@ template <class T>
 
 template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *slots) {
     const T per_step = T(1) / T(task.steps);
-    for (int i = 0; i < task.group_count; ++i)
-        for (int lane = 0; lane < group_size; lane += T::width) {
-            const T own = load<T>(task.elongation + i * group_size + lane);
-            Slot *slot = slots + task.groups[i].first_slot;
-            for (Slot *const end = slot + task.groups[i].slots; slot != end; ++slot) {
-                const T other =
-                    load_each<T>([&](int j) { return task.elongation[slot->neighbour[lane + j] / 4]; });
-                const T from = load<T>(slot->next_pull + lane);
-                const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
-                store(from, slot->pull + lane);
-                store((to - from) * per_step, slot->pull_change + lane);
-                store(to, slot->next_pull + lane);
-            }
+    for (int first = 0; first < task.groups * group_size; first += T::width) {
+        const GroupPair &pair = task.pairs[first / pair_size];
+        const int lane = first % pair_size;
+        const T own = load<T>(task.elongation + first);
+        Slot *slot = slots + pair.first_slot;
+        for (Slot *const end = slot + slots_of<T>(pair, lane); slot != end; ++slot) {
+            const T other =
+                load_each<T>([&](int j) { return task.elongation[slot->neighbour[lane + j] / 4]; });
+            const T from = load<T>(slot->next_pull + lane);
+            const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
+            store(from, slot->pull + lane);
+            store((to - from) * per_step, slot->pull_change + lane);
+            store(to, slot->next_pull + lane);
         }
+    }
 }
 
 template <class T>
@@ -240,9 +247,10 @@ template <class T>
     return least_of(least);
 }
 
-template <class T> Kernel kernel_of(const char *name) {
+/// `Pair`: lanes for the step, up to those of a pair; the rest works on groups.
+template <class T, class Pair = T> Kernel kernel_of(const char *name) {
     return {name,
-            step<T>,
+            step<Pair>,
             drag<T>,
             reach_knot<T>,
             squared_motion<T>,

@@ -90,30 +90,34 @@ void order_nodes(const SoftBodyModel &model, const std::vector<Fan> &fan, Layout
     std::stable_sort(layout.cell_of.begin(), layout.cell_of.end(), [&](int a, int b) {
         return std::pair(on_outline[a], fan[a].size()) < std::pair(on_outline[b], fan[b].size());
     });
-    while (layout.cell_of.size() % group_size != 0) layout.cell_of.push_back(layout.cell_of.back());
+    layout.groups = (layout.nodes + group_size - 1) / group_size;
+    while (layout.cell_of.size() % pair_size != 0) layout.cell_of.push_back(layout.cell_of.back());
 }
 
-/// The next eight nodes: as many slots as the largest of their fans needs.
-void add_group(const SoftBodyModel &model, const std::vector<Fan> &fan, const std::vector<int> &node_of,
-               Layout &layout) {
-    const int start = static_cast<int>(layout.groups.size()) * group_size;
-    Group group{.first_slot = static_cast<int>(layout.slots.size())};
-    for (int lane = 0; lane < group_size; ++lane)
-        group.slots = std::max(group.slots, static_cast<int>(fan[layout.cell_of[start + lane]].size()));
-    layout.slots.resize(layout.slots.size() + static_cast<std::size_t>(group.slots));
+/// The next two groups: as many slots as the largest of their fans needs.
+void add_pair(const SoftBodyModel &model, const std::vector<Fan> &fan, const std::vector<int> &node_of,
+              Layout &layout) {
+    const int start = static_cast<int>(layout.pairs.size()) * pair_size;
+    GroupPair pair{.first_slot = static_cast<int>(layout.slots.size())};
+    for (int lane = 0; lane < pair_size; ++lane) {
+        int &slots = pair.slots[lane / group_size];
+        slots = std::max(slots, static_cast<int>(fan[layout.cell_of[start + lane]].size()));
+    }
+    const int slots = std::max(pair.slots[0], pair.slots[1]);
+    layout.slots.resize(layout.slots.size() + static_cast<std::size_t>(slots));
 
-    for (int lane = 0; lane < group_size; ++lane) {
+    for (int lane = 0; lane < pair_size; ++lane) {
         const Place own = place_of(start + lane);
         const Fan &spokes = fan[layout.cell_of[start + lane]];
-        for (int i = 0; i < group.slots; ++i) {
-            Slot &slot = layout.slots[group.first_slot + i];
+        for (int i = 0; i < slots; ++i) {
+            Slot &slot = layout.slots[pair.first_slot + i];
             slot.neighbour[lane] = own;
             if (i < static_cast<int>(spokes.size()))
                 fill(model, spokes[i], node_of[spokes[i].neighbour], lane, slot);
         }
-        group.last[lane] = spokes.empty() ? own : place_of(node_of[spokes.back().neighbour]);
+        pair.last[lane] = spokes.empty() ? own : place_of(node_of[spokes.back().neighbour]);
     }
-    layout.groups.push_back(group);
+    layout.pairs.push_back(pair);
 }
 
 } // namespace
@@ -124,7 +128,7 @@ Layout lay_out(const SoftBodyModel &model) {
     order_nodes(model, fan, layout);
     std::vector<int> node_of(fan.size());
     for (int node = 0; node < layout.nodes; ++node) node_of[layout.cell_of[node]] = node;
-    while (layout.groups.size() * group_size < layout.cell_of.size()) add_group(model, fan, node_of, layout);
+    while (layout.pairs.size() * pair_size < layout.cell_of.size()) add_pair(model, fan, node_of, layout);
 
     layout.model = renumbered(model, node_of);
     layout.outline.resize((model.outline.size() + group_size - 1) / group_size);

@@ -13,6 +13,8 @@
 namespace planula::native {
 
 inline constexpr int group_size = 8;
+/// Two groups lie side by side, for instructions that hold both.
+inline constexpr int pair_size = 2 * group_size;
 
 /// One node's state.
 struct Record {
@@ -23,20 +25,21 @@ struct Record {
 using Place = unsigned;
 inline Place place_of(int node) { return static_cast<Place>(4 * node); }
 
-/// One neighbour of each node of a group, the spring to it, and the triangle between the neighbour before and
+/// One neighbour of each node of two groups, the spring to it, and the triangle between the neighbour before and
 /// this one. Where a node has no such neighbour it is its own, with constants 0: its force is exactly 0.
-struct alignas(32) Slot {
-    Place neighbour[group_size];
-    float pull[group_size];                                   // k·L at the last knot
-    float pull_change[group_size];                            // and its change in a step
-    float twice_area[group_size], pressure_slope[group_size]; // of the triangle's pressure
-    float natural_pull[group_size];                           // k·L without muscles
-    float next_pull[group_size];                              // k·L at the coming knot
+struct alignas(64) Slot {
+    Place neighbour[pair_size];
+    float pull[pair_size];                                  // k·L at the last knot
+    float pull_change[pair_size];                           // and its change in a step
+    float twice_area[pair_size], pressure_slope[pair_size]; // of the triangle's pressure
+    float natural_pull[pair_size];                          // k·L without muscles
+    float next_pull[pair_size];                             // k·L at the coming knot
 };
 
-struct Group {
-    Place last[group_size]; // each node's last neighbour, which closes the fan before its first
-    int first_slot, slots;
+struct GroupPair {
+    Place last[pair_size]; // each node's last neighbour, which closes the fan before its first
+    int first_slot;
+    int slots[2]; // that each of the groups needs; there are as many as the more demanding needs
 };
 
 /// Eight links of the outline; past the last of them from node 0 to itself.
@@ -45,10 +48,11 @@ struct OutlineGroup {
 };
 
 struct Layout {
-    int nodes = 0; // of the body; up to the next multiple of 8 follow twins of the last one, which move as it
+    int nodes = 0;            // of the body; up to the next multiple of 16 follow twins of the last one
+    int groups = 0;           // of 8 that hold nodes; twins in these move as the last node
     std::vector<int> cell_of; // each node's number in the model; also of twins
     int first_outline_node = 0;
-    std::vector<Group> groups;
+    std::vector<GroupPair> pairs;
     std::vector<Slot> slots;
     std::vector<OutlineGroup> outline;
     SoftBodyModel model; // with the nodes' numbers in its outline and contact cells, and no more

@@ -37,8 +37,8 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
 void NativeEngine::set_tasks(const Parameters &p, const Environment &environment) {
     const auto dt = static_cast<float>(p.time_step);
     const auto limit = static_cast<float>(p.node_speed_limit / p.time_step);
-    task_ = {.groups = body_.groups.data(),
-             .group_count = static_cast<int>(body_.groups.size()),
+    task_ = {.pairs = body_.pairs.data(),
+             .groups = body_.groups,
              .slots = body_.slots.data(),
              .push_x = push_x_.data(),
              .push_y = push_y_.data(),
@@ -79,7 +79,7 @@ void NativeEngine::lay_ground(const Environment &environment) {
 void NativeEngine::actuate(std::span<const double> elongations, int steps) {
     for (std::size_t i = 0; i < elongation_.size(); ++i)
         elongation_[i] = static_cast<float>(elongations[body_.cell_of[i]]);
-    kernel_.reach_knot({task_.group_count, task_.groups, elongation_.data(), static_cast<float>(steps)},
+    kernel_.reach_knot({task_.pairs, task_.groups, elongation_.data(), static_cast<float>(steps)},
                        body_.slots.data());
     knot_steps_ = 0, knot_interval_ = steps;
 }

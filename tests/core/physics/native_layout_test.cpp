@@ -20,10 +20,10 @@ namespace {
 std::vector<std::vector<int>> fans(const native::Layout &layout) {
     std::vector<std::vector<int>> result(static_cast<std::size_t>(layout.nodes));
     for (int node = 0; node < layout.nodes; ++node) {
-        const native::Group &group = layout.groups[node / native::group_size];
-        for (int i = 0; i < group.slots; ++i) {
+        const native::GroupPair &pair = layout.pairs[node / native::pair_size];
+        for (int i = 0; i < pair.slots[node % native::pair_size / native::group_size]; ++i) {
             const int other =
-                static_cast<int>(layout.slots[group.first_slot + i].neighbour[node % native::group_size] / 4);
+                static_cast<int>(layout.slots[pair.first_slot + i].neighbour[node % native::pair_size] / 4);
             if (other != node) result[layout.cell_of[node]].push_back(layout.cell_of[other]);
         }
     }
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(every_cell_has_one_slot_for_each_neighbour) {
         const auto layout = native::lay_out(model);
         std::set<int> cells(layout.cell_of.begin(), layout.cell_of.end());
         BOOST_TEST(static_cast<int>(cells.size()) == model.nodes());
-        BOOST_TEST(layout.cell_of.size() == native::group_size * layout.groups.size());
+        BOOST_TEST(layout.cell_of.size() == native::pair_size * layout.pairs.size());
         auto found = fans(layout);
         for (auto &fan : found) std::sort(fan.begin(), fan.end());
         const Neighbours expected(body.mesh.links, body.cells());
@@ -53,13 +53,13 @@ BOOST_AUTO_TEST_CASE(fans_turn_counter_clockwise_and_every_triangle_has_three_co
         const auto layout = native::lay_out(model);
         int corners = 0;
         for (int node = 0; node < layout.nodes; ++node) {
-            const native::Group &group = layout.groups[node / native::group_size];
-            const int lane = node % native::group_size;
+            const native::GroupPair &pair = layout.pairs[node / native::pair_size];
+            const int lane = node % native::pair_size;
             const auto place = [&](native::Place p) { return model.positions[layout.cell_of[p / 4]]; };
             const Vec2d own = model.positions[layout.cell_of[node]];
-            Vec2d before = place(group.last[lane]) - own;
-            for (int i = 0; i < group.slots; ++i) {
-                const native::Slot &slot = layout.slots[group.first_slot + i];
+            Vec2d before = place(pair.last[lane]) - own;
+            for (int i = 0; i < pair.slots[node % native::pair_size / native::group_size]; ++i) {
+                const native::Slot &slot = layout.slots[pair.first_slot + i];
                 const Vec2d offset = place(slot.neighbour[lane]) - own;
                 if (slot.pressure_slope[lane] > 0) {
                     ++corners;
