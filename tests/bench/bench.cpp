@@ -99,6 +99,7 @@ void list_benchmarks() {
         const std::pair<const char *, Genome> genomes[] = {{"small_disc", disc_genome(actuation, 8)},
                                                            {"disc", disc_genome(actuation)},
                                                            {"large_disc", disc_genome(actuation, 20)},
+                                                           {"hundred", hundred_genome(actuation)},
                                                            {"two_legged", two_legged_genome(actuation)}};
         for (const auto &[body, genome] : genomes) {
             const std::string suffix = "/" + kind + "/" + body;

@@ -80,6 +80,14 @@ inline Activations hundred_cells(const Network &network) {
     return activations;
 }
 
+/// Grows to exactly 100 cells, dividing until the last decision.
+inline Genome hundred_genome(Actuation actuation) {
+    Genome genome = specimens::line_genome(actuation, 19);
+    specimens::wire(genome, input::bias, output::division_angle, 0.5);
+    specimens::add_muscles(genome, actuation);
+    return genome;
+}
+
 /// End points of so many individuals, dense at the start as those of populations are.
 inline PointIndex end_points(int count, std::uint64_t seed) {
     PointIndex index;
