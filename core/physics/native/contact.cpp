@@ -10,91 +10,97 @@ namespace planula::native {
 namespace {
 
 constexpr float skin = 0.8f;    // so much farther than the law reaches pairs are listed; any gives the same
-constexpr float margin = 1e-3f; // far above what rounding does to distances
+constexpr float margin = 1e-3f; // far above what rounding does to distances, and to motion in a step
 
 } // namespace
 
 void Contact::load(const Layout &layout, const Kernel &kernel) {
     layout_ = &layout, kernel_ = &kernel;
     reach_ = static_cast<float>(layout.model.parameters.contact_radius);
-    first_node_ = layout.first_outline_node / group_size * group_size;
-    end_node_ = layout.groups * group_size;
-    listed_at_.clear(), searched_at_.clear(), touches_.clear();
+    clearance_ = 0, listed_at_.clear(), touches_.clear();
+    cells_.clear();
+    for (const int cell : layout.model.contact_cells) cells_.push_back(place_of(cell));
     const std::size_t links = layout.outline.size() * group_size;
     circle_x_.resize(links), circle_y_.resize(links), circle_squared_radius_.resize(links);
-    inside_.resize(layout.outline.size());
     find_unmasked();
 }
 
-std::span<const Touch<float>> Contact::touches(const Record *now) {
+std::span<const Touch<float>> Contact::touches(const Record *now, float moved) {
     // Without cells, or while no pair can have come into reach.
-    if (layout_->model.contact_cells.empty()) return {};
-    if (!searched_at_.empty() && motion(searched_at_, now) < clearance_) return {};
-    float moved = listed_at_.empty() ? skin : motion(listed_at_, now);
-    if (!(moved < skin)) make_list(now), moved = 0;
-
-    near_.resize(pairs_.size());
-    const int groups = static_cast<int>(pairs_.size());
-    const float least = kernel_->measure_pairs(pairs_.data(), groups, now, reach_ * reach_, near_.data());
-    touches_.clear();
-    if (least < reach_ * reach_)
-        for (std::size_t group = 0; group < near_.size(); ++group)
-            for (unsigned bits = near_[group]; bits != 0; bits &= bits - 1) {
-                const std::size_t pair = group * group_size + std::countr_zero(bits);
-                if (pair >= links_.size()) break;
-                touches_.push_back(touch_of<float>(layout_->model, cells_[pair], links_[pair], {&now->x, 4}));
-            }
-
-    // Pairs that are not listed were farther apart than reach and skin.
-    clearance_ = std::min(std::sqrt(least) - reach_, skin - moved) - margin;
-    searched_at_.clear();
-    if (clearance_ > 0) searched_at_.assign(now, now + end_node_);
+    if (cells_.empty()) return {};
+    const float against = 2 * moved + margin;
+    clearance_ -= against, moved_ += against;
+    if (clearance_ > 0) return {};
+    if (list_is_stale(now)) make_list(now);
+    measure(now);
     return touches_;
 }
 
 void Contact::find_unmasked() {
     const SoftBodyModel &model = layout_->model;
-    unmasked_.assign(model.contact_cells.size() * layout_->outline.size(), 0);
-    for (std::size_t cell = 0; cell < model.contact_cells.size(); ++cell)
-        for (std::size_t link = 0; link < model.outline.size(); ++link) {
-            const int bit = model.is_masked(cell, link) ? 0 : 1 << link % group_size;
-            unmasked_[cell * layout_->outline.size() + link / group_size] |= static_cast<unsigned char>(bit);
-        }
+    const std::size_t words = words_for(static_cast<int>(layout_->outline.size()));
+    unmasked_.assign(cells_.size() * words, 0), inside_.resize(unmasked_.size());
+    std::size_t unmasked = 0;
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+        for (std::size_t link = 0; link < model.outline.size(); ++link)
+            if (!model.is_masked(cell, link))
+                unmasked_[cell * words + link / word_size] |= Word(1) << link % word_size, ++unmasked;
+    pairs_.resize((unmasked + group_size - 1) / group_size), near_.resize(pairs_.size());
+    links_.resize(pairs_.size() * group_size);
+}
+
+bool Contact::list_is_stale(const Record *now) {
+    if (listed_at_.empty()) return true;
+    if (moved_ < skin) return false;
+    const Record *outline = now + layout_->outline_group() * group_size;
+    const auto count = static_cast<int>(listed_at_.size());
+    moved_ = std::sqrt(kernel_->squared_motion(listed_at_.data(), outline, count));
+    return !(moved_ < skin);
 }
 
 void Contact::make_list(const Record *now) {
-    listed_at_.assign(now, now + end_node_);
+    listed_at_.assign(now + layout_->outline_group() * group_size, now + layout_->groups * group_size);
+    moved_ = 0;
     const int groups = static_cast<int>(layout_->outline.size());
     kernel_->circle_links(layout_->outline.data(), groups, now, reach_ + skin + margin, circle_x_.data(),
                           circle_y_.data(), circle_squared_radius_.data());
     const Circles circles{circle_x_.data(), circle_y_.data(), circle_squared_radius_.data(), groups};
+    kernel_->find_circles(circles, now, cells_.data(), static_cast<int>(cells_.size()), inside_.data());
 
-    cells_.clear(), links_.clear();
-    const SoftBodyModel &model = layout_->model;
-    for (std::size_t cell = 0; cell < model.contact_cells.size(); ++cell) {
-        const int node = model.contact_cells[cell];
-        kernel_->find_circles(circles, now[node], inside_.data());
-        const unsigned char *unmasked = &unmasked_[cell * inside_.size()];
+    const unsigned words = words_for(groups);
+    unsigned count = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i)
+        for (unsigned word = 0; word < words; ++word)
+            for (Word bits = inside_[i * words + word] & unmasked_[i * words + word]; bits != 0;
+                 bits &= bits - 1)
+                set_pair(count++, cells_[i], word * word_size + std::countr_zero(bits));
+    listed_ = count;
+    for (; count % group_size != 0; ++count) set_pair(count, pairs_[0].cell[0], links_[0]);
+}
+
+void Contact::set_pair(unsigned pair, Place cell, unsigned link) {
+    PairGroup &group = pairs_[pair / group_size];
+    const unsigned lane = pair % group_size, link_lane = link % group_size;
+    const OutlineGroup &outline = layout_->outline[link / group_size];
+    group.cell[lane] = cell, group.a[lane] = outline.a[link_lane], group.b[lane] = outline.b[link_lane];
+    links_[pair] = link;
+}
+
+void Contact::measure(const Record *now) {
+    const auto groups = static_cast<int>((listed_ + group_size - 1) / group_size);
+    const float least = kernel_->measure_pairs(pairs_.data(), groups, now, reach_ * reach_, near_.data());
+    touches_.clear();
+    if (least < reach_ * reach_)
         for (int group = 0; group < groups; ++group)
-            for (unsigned bits = inside_[group] & unmasked[group]; bits != 0; bits &= bits - 1)
-                cells_.push_back(node), links_.push_back(group * group_size + std::countr_zero(bits));
-    }
-    group_pairs();
-}
-
-void Contact::group_pairs() {
-    pairs_.resize((links_.size() + group_size - 1) / group_size);
-    for (std::size_t place = 0; place < pairs_.size() * group_size; ++place) {
-        const std::size_t pair = place < links_.size() ? place : 0, lane = place % group_size;
-        const OutlineLink &link = layout_->model.outline[links_[pair]];
-        PairGroup &group = pairs_[place / group_size];
-        group.cell[lane] = place_of(cells_[pair]);
-        group.a[lane] = place_of(link.a), group.b[lane] = place_of(link.b);
-    }
-}
-
-float Contact::motion(const std::vector<Record> &then, const Record *now) const {
-    return std::sqrt(kernel_->squared_motion(then.data(), now, first_node_, end_node_));
+            for (unsigned bits = near_[group]; bits != 0; bits &= bits - 1) {
+                const unsigned lane = std::countr_zero(bits), pair = group * group_size + lane;
+                if (pair >= listed_) break;
+                const int cell = static_cast<int>(pairs_[group].cell[lane] / 4);
+                touches_.push_back(
+                    touch_of<float>(layout_->model, cell, static_cast<int>(links_[pair]), {&now->x, 4}));
+            }
+    // Pairs that are not listed were farther apart than reach and skin.
+    clearance_ = std::min(std::sqrt(least) - reach_, skin - moved_) - margin;
 }
 
 } // namespace planula::native

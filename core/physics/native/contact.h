@@ -2,7 +2,8 @@
 // Self-collision in the native engine: measures several pairs of cell and link at once and leaves the law to
 // touch_of. Pairs that may meet soon are kept in a list (Verlet) that is made again when nodes have moved against
 // each other by more than its skin; and while they have moved too little for any listed pair to come into reach,
-// nothing is looked at. The touches are those of a search over all pairs, to the bit.
+// nothing is looked at: how far they can have moved is summed from step to step. The touches are those of a
+// search over all pairs, to the bit.
 #pragma once
 
 #include "physics/native/kernel.h"
@@ -17,28 +18,30 @@ class Contact {
   public:
     /// Forgets the list. Layout and kernel must outlive the use of this.
     void load(const Layout &layout, const Kernel &kernel);
-    /// The touches of this state, in the order of contact cells; valid until the next call.
-    std::span<const Touch<float>> touches(const Record *now);
+    /// The touches of this state, in the order of contact cells; valid until the next call. `moved`: how far a
+    /// node has moved since the last call, at most but for rounding.
+    std::span<const Touch<float>> touches(const Record *now, float moved);
 
   private:
     void find_unmasked();
+    bool list_is_stale(const Record *now);
     void make_list(const Record *now);
-    void group_pairs();
-    float motion(const std::vector<Record> &then, const Record *now) const;
+    void set_pair(unsigned pair, Place cell, unsigned link);
+    void measure(const Record *now);
 
     const Layout *layout_ = nullptr;
     const Kernel *kernel_ = nullptr;
-    float reach_ = 0;                   // of the law
-    int first_node_ = 0, end_node_ = 0; // the groups that hold the outline
-    std::vector<Record> listed_at_;     // all nodes when the list was made
-    std::vector<Record> searched_at_;   // and when its pairs were last measured,
-    float clearance_ = 0;               // with so much lacking until the first could touch
+    float reach_ = 0;     // of the law
+    float clearance_ = 0; // how far nodes may move against each other until the first pair could touch,
+    float moved_ = 0;     // and how far they have at most since the list was made,
+    std::vector<Record> listed_at_; // when the groups that hold outline were here
     std::vector<float> circle_x_, circle_y_, circle_squared_radius_; // per outline link
-    std::vector<unsigned char> inside_;
-    std::vector<unsigned char> unmasked_; // groups of outline links × contact cells, a row per cell
+    std::vector<Place> cells_;                                       // that may touch
+    std::vector<Word> unmasked_, inside_;                            // per cell, sets of outline links
 
-    std::vector<int> cells_, links_;  // of each listed pair: nodes ascending, the links of each ascending
-    std::vector<PairGroup> pairs_;    // the same; the last group is filled up with the first pair
+    unsigned listed_ = 0;             // pairs: cells ascending, the links of each ascending
+    std::vector<PairGroup> pairs_;    // with room for all; the last group is filled up with the first pair
+    std::vector<unsigned> links_;     // of the pairs
     std::vector<unsigned char> near_; // per group, the pairs that touch
     std::vector<Touch<float>> touches_;
 };

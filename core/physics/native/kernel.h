@@ -7,6 +7,7 @@
 #include "physics/laws/ground.h"
 #include "physics/native/layout.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -42,7 +43,14 @@ struct StepResult {
 struct DragTask {
     const OutlineGroup *outline;
     int group_count;
+    const LinkGroup *links_at; // of groups of nodes, `links_per_node` each
+    int node_groups, links_per_node;
     float normal, tangential, flow_x, flow_y;
+};
+
+/// A force in an array of records.
+struct Force {
+    float x, y, unused[2];
 };
 
 /// The muscles' way from one knot to the next in `steps` steps.
@@ -64,23 +72,31 @@ struct Circles {
     int group_count;
 };
 
+/// Sets of outline links: a bit for each.
+using Word = std::uint64_t;
+inline constexpr int word_size = 64, groups_per_word = word_size / group_size;
+inline int words_for(int group_count) { return (group_count + groups_per_word - 1) / groups_per_word; }
+
 struct Kernel {
     const char *name; // as of its LaneSet
     /// Moves all nodes from `now` to `next`.
     StepResult (*step)(const StepTask &task, const Record *now, Record *next);
-    /// Half the drag on each outline link.
-    void (*drag)(const DragTask &task, const Record *now, float *half_x, float *half_y);
+    /// Half the drag on each outline link, the record after them left as it is, and per node the sum of what its
+    /// links have there, in their order from 0 on.
+    void (*drag)(const DragTask &task, const Record *now, Force *half, float *push_x, float *push_y);
     /// Leaves the last knot for the next.
     void (*reach_knot)(const KnotTask &task, Slot *slots);
 
-    /// By how much nodes first … end - 1 (multiples of 8) have moved against each other since `then`: the
-    /// squared diagonal of the box around all displacements.
-    float (*squared_motion)(const Record *then, const Record *now, int first, int end);
+    /// By how much `count` nodes, a multiple of 8, have moved against each other since `then`: the squared
+    /// diagonal of the box around all displacements.
+    float (*squared_motion)(const Record *then, const Record *now, int count);
     /// The circles of all points nearer to a link than `reach`, or a little more.
     void (*circle_links)(const OutlineGroup *links, int group_count, const Record *now, float reach, float *x,
                          float *y, float *squared_radius);
-    /// The circles that hold a node: bit i of inside[group] for the i-th of the group.
-    void (*find_circles)(const Circles &circles, const Record &node, unsigned char *inside);
+    /// The circles that hold each of some nodes: words_for(group_count) words for each, bit i % 64 of the (i / 64)-th
+    /// for circle i.
+    void (*find_circles)(const Circles &circles, const Record *now, const Place *nodes, int node_count,
+                         Word *inside);
     /// The pairs nearer than a distance: bit i of near[group] for the i-th of the group. Returns the least of all
     /// squared distances.
     float (*measure_pairs)(const PairGroup *pairs, int group_count, const Record *now, float squared_distance,

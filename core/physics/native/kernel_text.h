@@ -138,7 +138,8 @@ template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const 
 }
 
 template <class T>
-[[gnu::flatten]] void drag(const DragTask &task, const Record *now, float *half_x, float *half_y) {
+[[gnu::flatten]] void drag(const DragTask &task, const Record *now, Force *half, float *push_x,
+                           float *push_y) {
     const T normal(task.normal), tangential(task.tangential);
     const Vec2<T> flow{task.flow_x, task.flow_y};
     for (int i = 0; i < task.group_count; ++i)
@@ -146,9 +147,19 @@ template <class T>
             const Nodes<T> a = load_nodes<T>(now, task.outline[i].a + lane);
             const Nodes<T> b = load_nodes<T>(now, task.outline[i].b + lane);
             const Vec2<T> through = (a.velocity + b.velocity) * T(0.5) - flow;
-            const Vec2<T> half = drag_force(b.position - a.position, through, normal, tangential) * T(0.5);
-            store(half.x, half_x + i * group_size + lane);
-            store(half.y, half_y + i * group_size + lane);
+            const Vec2<T> own = drag_force(b.position - a.position, through, normal, tangential) * T(0.5);
+            store_fields(Fields<T>{own.x, own.y, own.x, own.y}, &half[i * group_size + lane].x);
+        }
+
+    const LinkGroup *link = task.links_at;
+    for (int i = 0; i < task.node_groups; ++i, link += task.links_per_node)
+        for (int lane = 0; lane < group_size; lane += T::width) {
+            Vec2<T> sum{0, 0};
+            for (int k = 0; k < task.links_per_node; ++k) {
+                const auto at = load_fields<T>([&](int j) { return &half->x + link[k].link[lane + j]; });
+                sum += Vec2<T>{at.a, at.b};
+            }
+            store(sum.x, push_x + i * group_size + lane), store(sum.y, push_y + i * group_size + lane);
         }
 }
 
@@ -171,13 +182,12 @@ template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *
     }
 }
 
-template <class T>
-[[gnu::flatten]] float squared_motion(const Record *then, const Record *now, int first, int end) {
+template <class T> [[gnu::flatten]] float squared_motion(const Record *then, const Record *now, int count) {
     // Records as they lie: lanes hold x, y, vx, vy in turn.
     constexpr int vectors = T::width < 4 ? 4 / T::width : 1, floats = vectors * T::width;
     T low[vectors], high[vectors];
     for (int k = 0; k < vectors; ++k) low[k] = T(__builtin_inff()), high[k] = T(-__builtin_inff());
-    for (int i = 4 * first; i < 4 * end; i += floats)
+    for (int i = 0; i < 4 * count; i += floats)
         for (int k = 0; k < vectors; ++k) {
             const int place = i + k * T::width;
             const T moved = load<T>(&now->x + place) - load<T>(&then->x + place);
@@ -214,17 +224,23 @@ template <class T>
 }
 
 template <class T>
-[[gnu::flatten]] void find_circles(const Circles &circles, const Record &node, unsigned char *inside) {
-    const Vec2<T> p{node.x, node.y};
-    for (int i = 0; i < circles.group_count; ++i) {
-        unsigned bits = 0;
-        for (int lane = 0; lane < group_size; lane += T::width) {
-            const int place = i * group_size + lane;
-            const Vec2<T> middle{load<T>(circles.x + place), load<T>(circles.y + place)};
-            const T squared_radius = load<T>(circles.squared_radius + place);
-            bits |= bits_of<T>(squared_length(p - middle) < squared_radius) << lane;
+[[gnu::flatten]] void find_circles(const Circles &circles, const Record *now, const Place *nodes,
+                                   int node_count, Word *inside) {
+    for (const Place *node = nodes; node != nodes + node_count; ++node) {
+        const float *record = &now->x + *node;
+        const Vec2<T> p{record[0], record[1]};
+        for (int first = 0; first < circles.group_count; first += groups_per_word, ++inside) {
+            Word bits = 0;
+            for (int i = first; i < circles.group_count && i < first + groups_per_word; ++i)
+                for (int lane = 0; lane < group_size; lane += T::width) {
+                    const int place = i * group_size + lane;
+                    const Vec2<T> middle{load<T>(circles.x + place), load<T>(circles.y + place)};
+                    const T squared_radius = load<T>(circles.squared_radius + place);
+                    const Word some = bits_of<T>(squared_length(p - middle) < squared_radius);
+                    bits |= some << ((i - first) * group_size + lane);
+                }
+            *inside = bits;
         }
-        inside[i] = static_cast<unsigned char>(bits);
     }
 }
 

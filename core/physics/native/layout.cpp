@@ -94,6 +94,27 @@ void order_nodes(const SoftBodyModel &model, const std::vector<Fan> &fan, Layout
     while (layout.cell_of.size() % pair_size != 0) layout.cell_of.push_back(layout.cell_of.back());
 }
 
+/// The links that meet in each node of the outline; twins have those of their node.
+void add_links(const std::vector<int> &node_of, Layout &layout) {
+    std::vector<std::vector<Place>> links(static_cast<std::size_t>(layout.nodes));
+    for (std::size_t i = 0; i < layout.model.outline.size(); ++i)
+        for (const int node : {layout.model.outline[i].a, layout.model.outline[i].b})
+            links[node].push_back(place_of(static_cast<int>(i)));
+    for (const auto &own : links)
+        layout.links_per_node = std::max(layout.links_per_node, static_cast<int>(own.size()));
+
+    const Place none = place_of(static_cast<int>(layout.outline.size()) * group_size);
+    for (int first = layout.outline_group() * group_size; first < static_cast<int>(layout.cell_of.size());
+         first += group_size)
+        for (int i = 0; i < layout.links_per_node; ++i) {
+            LinkGroup &group = layout.links_at.emplace_back();
+            for (int lane = 0; lane < group_size; ++lane) {
+                const auto &own = links[node_of[layout.cell_of[first + lane]]];
+                group.link[lane] = i < static_cast<int>(own.size()) ? own[i] : none;
+            }
+        }
+}
+
 /// The next two groups: as many slots as the largest of their fans needs.
 void add_pair(const SoftBodyModel &model, const std::vector<Fan> &fan, const std::vector<int> &node_of,
               Layout &layout) {
@@ -137,6 +158,7 @@ Layout lay_out(const SoftBodyModel &model) {
         group.a[i % group_size] = place_of(layout.model.outline[i].a);
         group.b[i % group_size] = place_of(layout.model.outline[i].b);
     }
+    add_links(node_of, layout);
     return layout;
 }
 

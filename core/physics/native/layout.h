@@ -47,6 +47,12 @@ struct OutlineGroup {
     Place a[group_size] = {}, b[group_size] = {};
 };
 
+/// One outline link of each of eight nodes: where its record begins in an array with one for each link, in floats.
+/// A node without any more has the place after those of all groups of the outline.
+struct LinkGroup {
+    Place link[group_size];
+};
+
 struct Layout {
     int nodes = 0;            // of the body; up to the next multiple of 16 follow twins of the last one
     int groups = 0;           // of 8 that hold nodes; twins in these move as the last node
@@ -55,7 +61,13 @@ struct Layout {
     std::vector<GroupPair> pairs;
     std::vector<Slot> slots;
     std::vector<OutlineGroup> outline;
+    int links_per_node = 0; // of the outline, at most;
+    std::vector<LinkGroup>
+        links_at;        // so many for each group from outline_group() on, a node's links ascending
     SoftBodyModel model; // with the nodes' numbers in its outline and contact cells, and no more
+
+    /// The first group that holds nodes of the outline; there is none without an outline.
+    int outline_group() const { return first_outline_node / group_size; }
 };
 
 /// Inner nodes come first and those of the outline after them, each by number of neighbours.

@@ -27,8 +27,8 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     next_ = now_;
     elongation_.assign(now_.size(), 0);
     push_x_.assign(now_.size(), 0), push_y_.assign(now_.size(), 0);
-    half_x_.resize(body_.outline.size() * native::group_size), half_y_.resize(half_x_.size());
-    pushed_ = false;
+    half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
+    touched_ = false, moved_ = 0;
     knot_steps_ = knot_interval_ = 0;
     set_tasks(model.parameters, environment);
 }
@@ -54,6 +54,9 @@ void NativeEngine::set_tasks(const Parameters &p, const Environment &environment
     const int drag_groups = environment.has_fluid() ? static_cast<int>(body_.outline.size()) : 0;
     drag_ = {body_.outline.data(),
              drag_groups,
+             body_.links_at.data(),
+             static_cast<int>(body_.cell_of.size()) / native::group_size - body_.outline_group(),
+             body_.links_per_node,
              static_cast<float>(environment.drag_normal),
              static_cast<float>(environment.drag_tangential),
              flow.x,
@@ -91,26 +94,24 @@ Motion NativeEngine::step(double damping) {
     task_.slowing = 1 - static_cast<float>(damping) * task_.time_step;
     const auto [squared_speed, beyond] = kernel_.step(task_, now_.data(), next_.data());
     now_.swap(next_);
-    return {std::sqrt(static_cast<double>(squared_speed)), beyond};
+    const double speed = std::sqrt(static_cast<double>(squared_speed));
+    moved_ = static_cast<float>(speed) * task_.time_step;
+    return {speed, beyond};
 }
 
 /// Drag and self-collision.
 void NativeEngine::push_outline() {
-    const auto touches = contact_.touches(now_.data());
-    const bool pushing = drag_.group_count > 0 || !touches.empty();
-    if (!pushed_ && !pushing) return;
-    pushed_ = pushing;
-    std::fill(push_x_.begin() + body_.first_outline_node, push_x_.end(), 0.0f);
-    std::fill(push_y_.begin() + body_.first_outline_node, push_y_.end(), 0.0f);
-    const auto push = [&](int node, Vec2f force) { push_x_[node] += force.x, push_y_[node] += force.y; };
+    const int first = body_.outline_group() * native::group_size;
+    const auto touches = contact_.touches(now_.data(), moved_);
+    if (drag_.group_count > 0)
+        kernel_.drag(drag_, now_.data(), half_drag_.data(), &push_x_[first], &push_y_[first]);
+    else if (touched_)
+        std::fill(push_x_.begin() + first, push_x_.end(), 0.0f),
+            std::fill(push_y_.begin() + first, push_y_.end(), 0.0f);
+    touched_ = !touches.empty();
+    if (!touched_) return;
 
-    if (drag_.group_count > 0) {
-        kernel_.drag(drag_, now_.data(), half_x_.data(), half_y_.data());
-        for (std::size_t i = 0; i < body_.model.outline.size(); ++i) {
-            const Vec2f half{half_x_[i], half_y_[i]};
-            push(body_.model.outline[i].a, half), push(body_.model.outline[i].b, half);
-        }
-    }
+    const auto push = [&](int node, Vec2f force) { push_x_[node] += force.x, push_y_[node] += force.y; };
     for (const auto &[cell, a, b, on_cell, on_a, on_b] : touches)
         push(cell, on_cell), push(a, on_a), push(b, on_b);
     // Twins of the last node are pushed as it is.

@@ -35,8 +35,9 @@ class NativeEngine : public Engine {
 
     std::vector<native::Record> now_, next_;
     std::vector<float> elongation_, push_x_, push_y_; // per node, twins included
-    std::vector<float> half_x_, half_y_;              // drag, per outline link
-    bool pushed_ = false;                             // whether any push is not 0
+    std::vector<native::Force> half_drag_;            // per outline link, and 0 after them
+    bool touched_ = false;                            // whether touches pushed
+    float moved_ = 0;                                 // the fastest node in the last step
     int knot_steps_ = 0, knot_interval_ = 0;
 };
 

@@ -10,6 +10,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 using namespace planula;
 using namespace planula::specimens;
@@ -31,6 +33,16 @@ std::vector<native::Record> squeezed(const SoftBodyModel &model, const native::L
     return records;
 }
 
+/// How far the farthest node has gone.
+float farthest(const std::vector<native::Record> &from, const std::vector<native::Record> &to) {
+    float result = 0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        result = std::max(result, length(Vec2f{to[i].x, to[i].y} - Vec2f{from[i].x, from[i].y}));
+    return result;
+}
+
+constexpr float anywhere = std::numeric_limits<float>::infinity();
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(the_touches_found_are_those_of_a_search_over_all_pairs_to_the_bit) {
@@ -42,11 +54,12 @@ BOOST_AUTO_TEST_CASE(the_touches_found_are_those_of_a_search_over_all_pairs_to_t
             native::Contact contact;
             contact.load(layout, kernel);
             SelfContact<float> all_pairs(1000);
+            std::vector<native::Record> records = squeezed(model, layout, 0);
             for (int t = 0; t < 400; ++t) {
-                const std::vector<native::Record> records = squeezed(model, layout, t);
+                const auto before = std::exchange(records, squeezed(model, layout, t));
                 std::vector<Vec2f> x, found(records.size()), expected(records.size());
                 for (const auto &record : records) x.push_back({record.x, record.y});
-                const auto touches = contact.touches(records.data());
+                const auto touches = contact.touches(records.data(), farthest(before, records));
                 for (const auto &touch : touches) {
                     found[touch.cell] += touch.on_cell;
                     found[touch.a] += touch.on_a, found[touch.b] += touch.on_b;
@@ -70,15 +83,39 @@ BOOST_AUTO_TEST_CASE(a_body_loaded_anew_starts_without_a_list) {
     const auto records = squeezed(model, layout, 200);
     native::Contact contact;
     contact.load(layout, native::chosen_kernel());
-    const auto first = contact.touches(records.data());
+    const auto first = contact.touches(records.data(), anywhere);
     const std::vector<Touch<float>> expected(first.begin(), first.end());
     BOOST_TEST(!expected.empty());
     contact.load(other_layout, native::chosen_kernel());
-    contact.touches(squeezed(other, other_layout, 0).data());
+    contact.touches(squeezed(other, other_layout, 0).data(), anywhere);
     contact.load(layout, native::chosen_kernel());
-    const auto again = contact.touches(records.data());
+    const auto again = contact.touches(records.data(), anywhere);
     BOOST_TEST(std::equal(again.begin(), again.end(), expected.begin(), expected.end(),
                           [](const auto &p, const auto &q) {
                               return p.cell == q.cell && p.a == q.a && p.b == q.b && p.on_cell == q.on_cell;
                           }));
+}
+
+BOOST_AUTO_TEST_CASE(parts_that_near_each_other_from_both_sides_are_found_when_they_touch) {
+    // Two arms, both as fast as the fastest node, one to the right and one to the left.
+    const auto model = embody(two_arms(2), water(), Parameters{});
+    const native::Layout layout = native::lay_out(model);
+    const double middle = 2.5 * 0.8660254037844386;
+    for (const double step : {0.013, 0.031, 0.07, 0.11}) {
+        native::Contact contact;
+        contact.load(layout, native::chosen_kernel());
+        for (int t = 0; t * step < 1.3; ++t) {
+            std::vector<native::Record> records;
+            for (const int cell : layout.cell_of) {
+                const Vec2d p = model.positions[cell];
+                const double toward = p.x < middle ? 1 : -1;
+                records.push_back(
+                    {static_cast<float>(p.x + toward * step * t), static_cast<float>(p.y), 0, 0});
+            }
+            native::Contact fresh;
+            fresh.load(layout, native::chosen_kernel());
+            const auto touches = contact.touches(records.data(), static_cast<float>(step));
+            BOOST_TEST(touches.size() == fresh.touches(records.data(), anywhere).size(), step << ", " << t);
+        }
+    }
 }
