@@ -66,8 +66,10 @@ struct Layout {
         links_at;        // so many for each group from outline_group() on, a node's links ascending
     SoftBodyModel model; // with the nodes' numbers in its outline and contact cells, and no more
 
-    /// The first group that holds nodes of the outline; there is none without an outline.
+    /// The first group that holds nodes of the outline (there is none without an outline), and how many there are from it
+    /// on, those of twins included.
     int outline_group() const { return first_outline_node / group_size; }
+    int outline_groups() const { return static_cast<int>(cell_of.size()) / group_size - outline_group(); }
 };
 
 /// Inner nodes come first and those of the outline after them, each by number of neighbours.

@@ -55,7 +55,7 @@ void NativeEngine::set_tasks(const Parameters &p, const Environment &environment
     drag_ = {body_.outline.data(),
              drag_groups,
              body_.links_at.data(),
-             static_cast<int>(body_.cell_of.size()) / native::group_size - body_.outline_group(),
+             body_.outline_groups(),
              body_.links_per_node,
              static_cast<float>(environment.drag_normal),
              static_cast<float>(environment.drag_tangential),

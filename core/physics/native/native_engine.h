@@ -37,7 +37,7 @@ class NativeEngine : public Engine {
     std::vector<float> elongation_, push_x_, push_y_; // per node, twins included
     std::vector<native::Force> half_drag_;            // per outline link, and 0 after them
     bool touched_ = false;                            // whether touches pushed
-    float moved_ = 0;                                 // the fastest node in the last step
+    float moved_ = 0;                                 // how far the fastest node went in the last step
     int knot_steps_ = 0, knot_interval_ = 0;
 };
 

@@ -97,25 +97,31 @@ BOOST_AUTO_TEST_CASE(a_body_loaded_anew_starts_without_a_list) {
 }
 
 BOOST_AUTO_TEST_CASE(parts_that_near_each_other_from_both_sides_are_found_when_they_touch) {
-    // Two arms, both as fast as the fastest node, one to the right and one to the left.
+    // Two arms that lean against each other: their tips are the fastest nodes.
     const auto model = embody(two_arms(2), water(), Parameters{});
     const native::Layout layout = native::lay_out(model);
-    const double middle = 2.5 * 0.8660254037844386;
+    Vec2d low = model.positions[0], high = low;
+    for (const Vec2d p : model.positions)
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)},
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    std::size_t found = 0;
     for (const double step : {0.013, 0.031, 0.07, 0.11}) {
         native::Contact contact;
         contact.load(layout, native::chosen_kernel());
-        for (int t = 0; t * step < 1.3; ++t) {
+        for (int t = 0; t * step < 1.8; ++t) {
             std::vector<native::Record> records;
             for (const int cell : layout.cell_of) {
                 const Vec2d p = model.positions[cell];
-                const double toward = p.x < middle ? 1 : -1;
-                records.push_back(
-                    {static_cast<float>(p.x + toward * step * t), static_cast<float>(p.y), 0, 0});
+                const double lean = std::max(0.0, (p.y - low.y - 3) / (high.y - low.y - 3)) *
+                                    (2 * p.x < low.x + high.x ? 1 : -1);
+                records.push_back({static_cast<float>(p.x + lean * step * t), static_cast<float>(p.y), 0, 0});
             }
             native::Contact fresh;
             fresh.load(layout, native::chosen_kernel());
             const auto touches = contact.touches(records.data(), static_cast<float>(step));
             BOOST_TEST(touches.size() == fresh.touches(records.data(), anywhere).size(), step << ", " << t);
+            found += touches.size();
         }
     }
+    BOOST_TEST(found > 100);
 }

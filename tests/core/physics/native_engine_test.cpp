@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/math.h"
 #include "physics/embody.h"
+#include "physics/laws/contact.h"
 #include "physics/self_contact.h"
 #include "support/print.h"
 #include "support/specimens.h"
@@ -32,8 +33,22 @@ Vec2d momentum(const NativeEngine &engine) {
 struct Swing {
     std::vector<double> speeds; // of the fastest node, after each step
     std::vector<Vec2d> positions, velocities;
-    int contacts = 0; // every tenth step
+    int contacts = 0;   // every tenth step,
+    double closest = 1; // and how near a cell comes to a link then
 };
+
+/// The least distance of a cell from a link that may collide with it.
+double closest(const SoftBodyModel &model, const std::vector<Vec2d> &positions) {
+    double least = 1e9;
+    for (std::size_t cell = 0; cell < model.contact_cells.size(); ++cell)
+        for (std::size_t link = 0; link < model.outline.size(); ++link) {
+            if (model.is_masked(cell, link)) continue;
+            const Vec2d p = positions[model.contact_cells[cell]];
+            const auto [a, b, solid] = model.outline[link];
+            least = std::min(least, length(p - foot_on_segment(p, positions[a], positions[b]).point));
+        }
+    return least;
+}
 
 Swing swung(const native::Kernel &kernel, const Body &body, const Environment &environment, int steps) {
     const auto model = embody(body, environment, Parameters{});
@@ -52,6 +67,7 @@ Swing swung(const native::Kernel &kernel, const Body &body, const Environment &e
         if (t % 10 > 0) continue;
         std::vector<Vec2d> push(model.positions.size());
         contact.add_forces(engine.positions(), push);
+        swing.closest = std::min(swing.closest, closest(model, engine.positions()));
         swing.contacts += std::any_of(push.begin(), push.end(), [](Vec2d f) { return f != Vec2d{}; });
     }
     swing.positions = engine.positions(), swing.velocities = engine.velocities();
@@ -69,6 +85,7 @@ BOOST_AUTO_TEST_CASE(every_width_of_lanes_gives_the_same_bits) {
         // A ring closes until its ends collide.
         const Swing scalar = swung(native::kernels().front(), hook(), environment, 1500);
         contacts += scalar.contacts;
+        BOOST_TEST(scalar.closest > 0.2); // ends push each other away
         for (const native::Kernel &kernel : native::kernels()) {
             const Swing wide = swung(kernel, hook(), environment, 1500);
             BOOST_TEST((wide.speeds == scalar.speeds), kernel.name);
