@@ -53,11 +53,16 @@ struct Force {
     float x, y, unused[2];
 };
 
+/// What a node's muscles lengthen, in an array of records: the first number counts.
+struct Elongation {
+    float own[4];
+};
+
 /// The muscles' way from one knot to the next in `steps` steps.
 struct KnotTask {
     const GroupPair *pairs;
     int groups;
-    const float *elongation; // per node, at the next knot
+    const Elongation *elongation; // per node, at the next knot
     float steps;
 };
 

@@ -168,11 +168,11 @@ template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *
     for (int first = 0; first < task.groups * group_size; first += T::width) {
         const GroupPair &pair = task.pairs[first / pair_size];
         const int lane = first % pair_size;
-        const T own = load<T>(task.elongation + first);
+        const T own = load_fields<T>([&](int j) { return task.elongation[first + j].own; }).a;
         Slot *slot = slots + pair.first_slot;
         for (Slot *const end = slot + slots_of<T>(pair, lane); slot != end; ++slot) {
             const T other =
-                load_each<T>([&](int j) { return task.elongation[slot->neighbour[lane + j] / 4]; });
+                load_fields<T>([&](int j) { return task.elongation->own + slot->neighbour[lane + j]; }).a;
             const T from = load<T>(slot->next_pull + lane);
             const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
             store(from, slot->pull + lane);

@@ -25,7 +25,7 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
         now_.push_back({place.x, place.y, 0, 0});
     }
     next_ = now_;
-    elongation_.assign(now_.size(), 0);
+    elongation_.assign(now_.size(), {});
     push_x_.assign(now_.size(), 0), push_y_.assign(now_.size(), 0);
     half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
     touched_ = false, moved_ = 0;
@@ -81,7 +81,7 @@ void NativeEngine::lay_ground(const Environment &environment) {
 
 void NativeEngine::actuate(std::span<const double> elongations, int steps) {
     for (std::size_t i = 0; i < elongation_.size(); ++i)
-        elongation_[i] = static_cast<float>(elongations[body_.cell_of[i]]);
+        elongation_[i].own[0] = static_cast<float>(elongations[body_.cell_of[i]]);
     kernel_.reach_knot({task_.pairs, task_.groups, elongation_.data(), static_cast<float>(steps)},
                        body_.slots.data());
     knot_steps_ = 0, knot_interval_ = steps;

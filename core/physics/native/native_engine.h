@@ -34,10 +34,11 @@ class NativeEngine : public Engine {
     native::Contact contact_;
 
     std::vector<native::Record> now_, next_;
-    std::vector<float> elongation_, push_x_, push_y_; // per node, twins included
-    std::vector<native::Force> half_drag_;            // per outline link, and 0 after them
-    bool touched_ = false;                            // whether touches pushed
-    float moved_ = 0;                                 // how far the fastest node went in the last step
+    std::vector<native::Elongation> elongation_; // per node, twins included
+    std::vector<float> push_x_, push_y_;         // the same
+    std::vector<native::Force> half_drag_;       // per outline link, and 0 after them
+    bool touched_ = false;                       // whether touches pushed
+    float moved_ = 0;                            // how far the fastest node went in the last step
     int knot_steps_ = 0, knot_interval_ = 0;
 };
 
