@@ -61,7 +61,7 @@ struct Elongation {
 /// The muscles' way from one knot to the next in `steps` steps.
 struct KnotTask {
     const GroupPair *pairs;
-    int groups;
+    int pair_count;
     const Elongation *elongation; // per node, at the next knot
     float steps;
 };

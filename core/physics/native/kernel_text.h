@@ -165,7 +165,7 @@ template <class T>
 
 template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *slots) {
     const T per_step = T(1) / T(task.steps);
-    for (int first = 0; first < task.groups * group_size; first += T::width) {
+    for (int first = 0; first < task.pair_count * pair_size; first += T::width) {
         const GroupPair &pair = task.pairs[first / pair_size];
         const int lane = first % pair_size;
         const T own = load_fields<T>([&](int j) { return task.elongation[first + j].own; }).a;

@@ -88,7 +88,8 @@ void order_nodes(const SoftBodyModel &model, const std::vector<Fan> &fan, Layout
     layout.cell_of.resize(fan.size());
     std::iota(layout.cell_of.begin(), layout.cell_of.end(), 0);
     std::stable_sort(layout.cell_of.begin(), layout.cell_of.end(), [&](int a, int b) {
-        return std::pair(on_outline[a], fan[a].size()) < std::pair(on_outline[b], fan[b].size());
+        if (on_outline[a] != on_outline[b]) return on_outline[a] < on_outline[b];
+        return on_outline[a] ? fan[a].size() > fan[b].size() : fan[a].size() < fan[b].size();
     });
     layout.groups = (layout.nodes + group_size - 1) / group_size;
     while (layout.cell_of.size() % pair_size != 0) layout.cell_of.push_back(layout.cell_of.back());

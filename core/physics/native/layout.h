@@ -54,8 +54,9 @@ struct LinkGroup {
 };
 
 struct Layout {
-    int nodes = 0;            // of the body; up to the next multiple of 16 follow twins of the last one
-    int groups = 0;           // of 8 that hold nodes; twins in these move as the last node
+    int nodes = 0; // of the body; up to the next multiple of 16 follow twins of the last one
+    int groups =
+        0; // of 8 that hold nodes; twins may fill the last pair, and wide lanes move them as their node
     std::vector<int> cell_of; // each node's number in the model; also of twins
     int first_outline_node = 0;
     std::vector<GroupPair> pairs;
@@ -72,7 +73,8 @@ struct Layout {
     int outline_groups() const { return static_cast<int>(cell_of.size()) / group_size - outline_group(); }
 };
 
-/// Inner nodes come first and those of the outline after them, each by number of neighbours.
+/// Inner nodes come first, by number of neighbours, and those of the outline after them, the other way round: groups side
+/// by side need much the same.
 Layout lay_out(const SoftBodyModel &model);
 
 } // namespace planula::native

@@ -82,7 +82,8 @@ void NativeEngine::lay_ground(const Environment &environment) {
 void NativeEngine::actuate(std::span<const double> elongations, int steps) {
     for (std::size_t i = 0; i < elongation_.size(); ++i)
         elongation_[i].own[0] = static_cast<float>(elongations[body_.cell_of[i]]);
-    kernel_.reach_knot({task_.pairs, task_.groups, elongation_.data(), static_cast<float>(steps)},
+    const auto pairs = static_cast<int>(body_.pairs.size());
+    kernel_.reach_knot({task_.pairs, pairs, elongation_.data(), static_cast<float>(steps)},
                        body_.slots.data());
     knot_steps_ = 0, knot_interval_ = steps;
 }
