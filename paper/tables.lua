@@ -3,87 +3,11 @@
 -- from data is typed by hand. Functions either return TeX text or print a table environment; an absent value shows as a
 -- dash. open() is called first, with the folders of the reduced tables and of the frame tables.
 local csv = require 'csv'
+local typeset = require 'typeset'
+local escape, show, short, percent_of = typeset.escape, typeset.show, typeset.short, typeset.percent_of
+local row_of, print_tabular = typeset.row_of, typeset.print_tabular
 local tables = {}
 local data, frames
-
--- ---- Text and numbers ----
-
-local symbols = {
-  ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['~'] = '\\textasciitilde{}', ['^'] = '\\textasciicircum{}',
-  ['&'] = '\\&', ['%'] = '\\%', ['$'] = '\\$', ['#'] = '\\#', ['_'] = '\\_',
-  ['≥'] = '$\\ge$', ['≤'] = '$\\le$', ['≠'] = '$\\ne$', ['≈'] = '$\\approx$', ['×'] = '$\\times$', ['−'] = '$-$', ['±'] = '$\\pm$',
-  ['·'] = '$\\cdot$', ['∞'] = '$\\infty$', ['α'] = '$\\alpha$', ['ℓ'] = '$\\ell$', ['δ'] = '$\\delta$', ['ρ'] = '$\\rho$', ['∇'] = '$\\nabla$', ['λ'] = '$\\lambda$',
-  ['μ'] = '$\\mu$', ['π'] = '$\\pi$', ['φ'] = '$\\phi$', ['→'] = '$\\to$', ['<'] = '\\textless{}', ['>'] = '\\textgreater{}',
-  ['"'] = '\\textquotedbl{}', ['|'] = '\\textbar{}',
-}
-
--- Plain text as TeX shows it literally.
-local function escape(text) return (text:gsub(utf8.charpattern, symbols)) end
-
--- Words between backticks in the typewriter face, between asterisks emphasised.
-local function marked_up(text)
-  text = text:gsub('`([^`]+)`', '\\texttt{%1}'):gsub('%*%*([^*]+)%*%*', '\\textbf{%1}')
-  return (text:gsub('%*([^*]+)%*', '\\emph{%1}'))
-end
-
--- Whole numbers with a thin space between groups of three digits: 11 520.
-local function grouped(digits)
-  if #digits <= 4 then return digits end
-  local groups = {}
-  while #digits > 3 do
-    table.insert(groups, 1, digits:sub(-3))
-    digits = digits:sub(1, -4)
-  end
-  table.insert(groups, 1, digits)
-  return table.concat(groups, '\\,')
-end
-
--- A number of the tables for reading: whole ones in full, others with three significant digits.
-local function show(text)
-  local value = tonumber(text)
-  if not value or value ~= value then return '--' end
-  if math.abs(value) == math.huge then return value > 0 and '$\\infty$' or '$-\\infty$' end
-  local sign = value < 0 and '$-$' or ''
-  value = math.abs(value)
-  if value == math.floor(value) and value < 1e9 then return sign .. grouped(('%d'):format(value)) end
-  if value >= 999.5 then return sign .. grouped(('%.0f'):format(value)) end
-  if value >= 1e-3 then
-    local decimals = math.max(0, 2 - math.floor(math.log(value, 10) + 1e-12))
-    return sign .. ('%.' .. decimals .. 'f'):format(value)
-  end
-  local mantissa, exponent = ('%.1e'):format(value):match '^(.-)e(.*)$'
-  return ('%s$%s\\cdot10^{%d}$'):format(sign, mantissa, tonumber(exponent))
-end
-
--- A probability: two significant digits.
-local function probability(text)
-  local value = tonumber(text)
-  if not value or value ~= value then return '--' end
-  if value < 1e-4 then return '$<10^{-4}$' end
-  return ('%.' .. math.max(2, 1 - math.floor(math.log(value, 10) + 1e-12)) .. 'f'):format(value)
-end
-
--- As it stands in a table, powers of ten set as such: 1e-4, 0.40.
-local function literal(text)
-  local mantissa, exponent = text:match '^(%-?[%d.]+)e([+-]?%d+)$'
-  if not mantissa then return (escape(text):gsub('^%-', '$-$')) end
-  local factor = mantissa == '1' and '' or mantissa .. '\\cdot'
-  return ('$%s10^{%d}$'):format(factor, tonumber(exponent))
-end
-
--- Millions in words where they are round: 96 million.
-local function in_words(text)
-  local value = tonumber(text)
-  if value and value >= 1e6 and value % 1e5 == 0 then return show(value / 1e6) .. ' million' end
-  return show(text)
-end
-
-local function interval(row, middle)
-  if row.low == '' or row.high == '' then return show(row[middle]) end
-  return ('%s [%s, %s]'):format(show(row[middle]), show(row.low), show(row.high))
-end
-
-local function short(setting) return escape((setting:upper():gsub('%-', ' '))) end
 
 -- ---- Data ----
 
@@ -104,12 +28,12 @@ function tables.open(data_folder, frames_folder)
   for _, row in ipairs(csv.read(frames_folder .. '/morphologies.csv')) do frames[row.setting] = row end
 end
 
-function tables.manifest(key) return in_words(assert(data.manifest[key], 'manifest.csv has no ' .. key)) end
+function tables.manifest(key) return typeset.in_words(assert(data.manifest[key], 'manifest.csv has no ' .. key)) end
 function tables.version() return escape(data.manifest.version) end
 
 -- A parameter as the paper has it, by its name in the table of parameters.
 function tables.parameter(name)
-  return literal(assert(data.parameter[name], 'parameters.csv has no ' .. name).standard)
+  return typeset.literal(assert(data.parameter[name], 'parameters.csv has no ' .. name).standard)
 end
 
 -- The same as a percentage: 40.
@@ -121,12 +45,12 @@ function tables.size_of_data()
   if planned.complete == '1' then
     return ('The data behind this copy are complete: %s seeds of each of %s settings, %s generations of %s individuals; %s evaluations.')
       :format(show(planned.seeds), show(planned.settings), show(planned.generations), show(planned.population),
-              in_words(planned.evaluations))
+              typeset.in_words(planned.evaluations))
   end
   local function of(key) return ('%s of %s'):format(show(planned[key]), show(planned[key .. '_planned'])) end
   return ('The data behind this copy: %s seeds, %s generations, %s individuals in each of %s settings; %s of %s evaluations.')
     :format(of 'seeds', of 'generations', of 'population', show(planned.settings), show(planned.evaluations),
-            in_words(planned.evaluations_planned))
+            typeset.in_words(planned.evaluations_planned))
 end
 
 function tables.is_complete() return data.manifest.complete == '1' end
@@ -141,12 +65,12 @@ end
 -- Mean best fitness of a setting in its last generation, with its interval.
 function tables.final_fitness(setting)
   local rows = csv.where(data.curves, { setting = setting })
-  return #rows > 0 and interval(rows[#rows], 'mean') or '--'
+  return #rows > 0 and typeset.interval(rows[#rows], 'mean') or '--'
 end
 
 function tables.entropy(setting)
   local rows = csv.where(data.entropy, { setting = setting })
-  return #rows > 0 and interval(rows[1], 'mean') or '--'
+  return #rows > 0 and typeset.interval(rows[1], 'mean') or '--'
 end
 
 -- Number of claims with a verdict.
@@ -200,20 +124,6 @@ local function median(values)
   local middle = #values // 2
   if #values == 0 then return '' end
   return #values % 2 == 1 and values[middle + 1] or (values[middle] + values[middle + 1]) / 2
-end
-
-local function percent_of(text) return tonumber(text) and ('%.1f'):format(100 * tonumber(text)) or '--' end
-
--- A row of cells.
-local function row_of(cells) return table.concat(cells, ' & ') .. ' \\\\' end
-
--- Prints a table: its columns, the lines of its head and those of its rows.
-local function print_tabular(columns, head, lines)
-  tex.print { '\\begin{tabular}{' .. columns .. '}', '\\toprule' }
-  tex.print(head)
-  tex.print '\\midrule'
-  tex.print(lines)
-  tex.print '\\bottomrule\\end{tabular}'
 end
 
 -- Adds the row of a setting, the number-th of so many; the two searches of a combination stand together.
@@ -327,7 +237,7 @@ function tables.print_sensitivity()
     'parameter & value & ' .. row_of(heads) }
   local lines = {}
   for _, entry in ipairs(sensitivity_by_parameter()) do
-    local cells = { '\\texttt{' .. escape(entry.name) .. '}', literal(entry.standard) }
+    local cells = { '\\texttt{' .. escape(entry.name) .. '}', typeset.literal(entry.standard) }
     for column = 1, 2 * #combinations do cells[#cells + 1] = sensitivity_cell(entry[column]) end
     lines[#lines + 1] = row_of(cells)
   end
@@ -409,10 +319,10 @@ end
 local function evidence(row)
   local measured = {}
   if row.effect ~= '' then
-    measured[1] = ('%s = %s'):format(row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first side's"))), interval(row, 'effect'))
+    measured[1] = ('%s = %s'):format(row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first side's"))), typeset.interval(row, 'effect'))
   end
   if tonumber(row.p) then
-    measured[#measured + 1] = ('\\mbox{$p$ %s%s}'):format(tonumber(row.p) < 1e-4 and '' or '= ', probability(row.p))
+    measured[#measured + 1] = ('\\mbox{$p$ %s%s}'):format(tonumber(row.p) < 1e-4 and '' or '= ', typeset.probability(row.p))
   end
   local runs = row.setting_b ~= '' and show(row.runs_a) .. ' + ' .. show(row.runs_b) or show(row.runs_a)
   local basis = sides(row) .. '; ' .. runs .. ' runs'
@@ -456,8 +366,8 @@ function tables.print_parameters()
       section = row.section
       lines[#lines + 1] = ('\\addlinespace\\multicolumn{5}{@{}l}{\\itshape %s}\\\\*\\addlinespace[2pt]'):format(escape(section))
     end
-    local value = row.value == '' and 'varies' or literal(row.value)
-    if row.value ~= row.standard and row.value ~= '' then value = ('\\textbf{%s} (%s)'):format(value, literal(row.standard)) end
+    local value = row.value == '' and 'varies' or typeset.literal(row.value)
+    if row.value ~= row.standard and row.value ~= '' then value = ('\\textbf{%s} (%s)'):format(value, typeset.literal(row.standard)) end
     lines[#lines + 1] = ('%s & %s & %s & %s & %s \\\\'):format(escape(row.name):gsub('\\_', '\\_\\allowbreak{}'), value,
       escape(row.unit), escape(row.origin), escape(row.meaning))
   end
@@ -476,7 +386,7 @@ function tables.print_decisions(folder)
     local text = io.open(folder .. '/' .. name):read 'a'
     local title = assert(text:match '\n?# (.-)\n', name .. ' has no title')
     local decision = assert(text:match '## Decision\n+(.-)\n\n', name .. ' has no decision')
-    lines[#lines + 1] = ('\\item[%s] \\textbf{%s.} %s'):format(name:sub(1, 4), escape(title), marked_up(escape(decision):gsub('\n', ' ')))
+    lines[#lines + 1] = ('\\item[%s] \\textbf{%s.} %s'):format(name:sub(1, 4), escape(title), typeset.marked_up(escape(decision):gsub('\n', ' ')))
   end
   lines[#lines + 1] = '\\end{description}'
   tex.print(lines)
