@@ -53,9 +53,11 @@ Vec2d daughter_position(Vec2d mother, Vec2d direction, int daughter_id, const Pa
 
 bool divide(int mother, Vec2d direction, const Parameters &p, Embryo &embryo) {
     const Vec2d place = daughter_position(embryo.cells[mother].position, direction, embryo.births, p);
+    const double surely_clear =
+        1.001 * p.division_clearance * p.division_clearance; // most are, and no root is needed
     for (int i = 0; i < static_cast<int>(embryo.cells.size()); ++i) {
         const Vec2d offset = embryo.cells[i].position - place;
-        if (std::abs(offset.x) >= p.division_clearance) continue; // most are, and no root is needed
+        if (squared_length(offset) > surely_clear) continue;
         if (i != mother && length(offset) < p.division_clearance) return false;
     }
 

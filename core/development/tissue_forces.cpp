@@ -51,12 +51,14 @@ std::vector<Vec2d> tissue_forces(const Embryo &embryo, const Parameters &p) {
 
 void relax(const Parameters &p, Embryo &embryo) {
     const std::vector<Vec2d> forces = tissue_forces(embryo, p);
-    const double limit = p.cell_speed_limit / p.time_step;
+    const double limit = p.cell_speed_limit / p.time_step, surely_below = 0.999 * limit * limit;
     for (std::size_t i = 0; i < embryo.cells.size(); ++i) {
         Cell &cell = embryo.cells[i];
         cell.velocity += forces[i] * p.time_step;
-        const double speed = length(cell.velocity);
-        if (speed > limit) cell.velocity = cell.velocity * (limit / speed);
+        if (!(squared_length(cell.velocity) < surely_below)) {
+            const double speed = length(cell.velocity);
+            if (speed > limit) cell.velocity = cell.velocity * (limit / speed);
+        }
         cell.position += cell.velocity * p.time_step;
     }
 }

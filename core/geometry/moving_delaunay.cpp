@@ -10,6 +10,9 @@ namespace planula {
 
 namespace {
 
+/// What exceeds this share of squared lengths, or of their products, is no error of rounding: a few times 2^-53.
+constexpr double doubt = 1e-13;
+
 /// The corners after and before one, counter-clockwise.
 int next(int corner) { return corner == 2 ? 0 : corner + 1; }
 int previous(int corner) { return corner == 0 ? 2 : corner - 1; }
@@ -40,6 +43,8 @@ bool MovingDelaunay::follow(std::span<const Vec2d> points) {
     if (faces_.empty()) return false;
     CHECK(points.size() >= points_.size(), points.size(), points_.size());
     std::copy_n(points.begin(), points_.size(), points_.begin());
+    shapes_.resize(faces_.size());
+    for (int face = 0; face < static_cast<int>(faces_.size()); ++face) measure(face);
     const Motion motion = straighten();
     if (motion == Motion::lost) return false;
     changed_ = make_delaunay() || motion == Motion::mended || points.size() > points_.size();
@@ -47,6 +52,21 @@ bool MovingDelaunay::follow(std::span<const Vec2d> points) {
         if (!insert(points[points_.size()])) return false;
     if (changed_) edges_ = edges_of(faces_, points_.size());
     return true;
+}
+
+void MovingDelaunay::measure(int face) {
+    if (!is_finite(faces_[face])) return;
+    const Vec2d a = at(face, 0), b = at(face, 1), c = at(face, 2);
+    const Vec2d ab = b - a, bc = c - b, ca = a - c;
+    shapes_[face] = {{-dot(ab, ca), -dot(bc, ab), -dot(ca, bc)},
+                     cross(bc, ca),
+                     squared_length(ab) + squared_length(bc) + squared_length(ca)};
+}
+
+/// Whether a finite face is counter-clockwise.
+bool MovingDelaunay::turns_left(int face) const {
+    return shapes_[face].cross > doubt * shapes_[face].size ||
+           exact::turn(at(face, 0), at(face, 1), at(face, 2)) > 0;
 }
 
 /// Exchanges an edge for the other diagonal of its two faces.
@@ -65,6 +85,7 @@ void MovingDelaunay::flip(const Edge &edge) {
     auto &behind_aq = faces_[beyond_aq].beyond, &behind_bp = faces_[beyond_bp].beyond;
     behind_aq[index_of(other, behind_aq)] = one;
     behind_bp[index_of(one, behind_bp)] = other;
+    measure(one), measure(other);
 }
 
 /// Flips an edge; the new one may lead to infinity. False if its ends are linked already.
@@ -81,7 +102,7 @@ bool MovingDelaunay::exchange(const Edge &edge) {
 MovingDelaunay::Motion MovingDelaunay::mend_faces() {
     Motion motion = Motion::harmless;
     for (int face = 0; face < static_cast<int>(faces_.size()); ++face) {
-        if (!is_finite(faces_[face]) || exact::turn(at(face, 0), at(face, 1), at(face, 2)) > 0) continue;
+        if (!is_finite(faces_[face]) || turns_left(face)) continue;
         std::array<double, 3> squared;
         for (int i = 0; i < 3; ++i) squared[i] = squared_length(at(face, next(i)) - at(face, previous(i)));
         const auto longest = std::max_element(squared.begin(), squared.end()) - squared.begin();
@@ -132,8 +153,14 @@ MovingDelaunay::Motion MovingDelaunay::straighten() {
 bool MovingDelaunay::must_flip(const Edge &edge) const {
     const Face &face = faces_[edge.face], &other = faces_[face.beyond[edge.corner]];
     if (!is_finite(face) || !is_finite(other)) return false;
+    // Not if the angles opposite to the edge are less than half a turn together: if the sum of their cotangents is
+    // positive.
+    const int opposite = mirrored(face, edge.corner, other);
+    const Shape &one = shapes_[edge.face], &two = shapes_[face.beyond[edge.corner]];
+    const double sum = one.dot[edge.corner] * two.cross + two.dot[opposite] * one.cross;
+    if (sum > doubt * one.size * two.size) return false;
     return exact::in_circle(at(edge.face, 0), at(edge.face, 1), at(edge.face, 2),
-                            points_[other.corner[mirrored(face, edge.corner, other)]]);
+                            points_[other.corner[opposite]]);
 }
 
 /// Flips edges until none must be. Returns whether any was.

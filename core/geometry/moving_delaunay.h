@@ -36,7 +36,16 @@ class MovingDelaunay {
         int from, to;     // the ends of that edge, with the hole on its left
     };
 
+    /// A face as its points lie now: at each corner the scalar product of the edges that leave it, and their vector product,
+    /// which is the same at all corners; and the sum of all squared edges, by which errors of rounding are judged.
+    struct Shape {
+        std::array<double, 3> dot;
+        double cross, size;
+    };
+
     Vec2d at(int face, int corner) const { return points_[faces_[face].corner[corner]]; }
+    void measure(int face);
+    bool turns_left(int face) const;
     void flip(const Edge &edge);
     bool exchange(const Edge &edge);
     Motion mend_faces();
@@ -53,6 +62,7 @@ class MovingDelaunay {
 
     std::vector<Vec2d> points_;
     std::vector<Face> faces_;
+    std::vector<Shape> shapes_; // of finite faces, while points are followed
     Edges edges_;
     bool changed_ = false;
     int latest_ = 0; // a face
