@@ -72,8 +72,8 @@ class MovingDelaunay {
     std::vector<int> hole_;     // faces
     std::vector<char> in_hole_; // per face
     std::vector<Rim> rim_;
-    std::vector<int> face_from_,
-        face_to_; // per vertex, infinity first: the new face whose rim goes from and to it
+    // Per vertex, infinity first: the new face whose rim goes from it, and to it.
+    std::vector<int> face_from_, face_to_;
 };
 
 } // namespace planula

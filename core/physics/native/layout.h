@@ -53,18 +53,19 @@ struct LinkGroup {
     Place link[group_size];
 };
 
+/// After the body's nodes, up to the next multiple of 16, follow twins of the last one. They fill its group, and if need be
+/// the other of its pair, which wide lanes move too; all that acts on the last node acts on them.
 struct Layout {
-    int nodes = 0; // of the body; up to the next multiple of 16 follow twins of the last one
-    int groups =
-        0; // of 8 that hold nodes; twins may fill the last pair, and wide lanes move them as their node
+    int nodes = 0;            // of the body
+    int groups = 0;           // that hold some of them
     std::vector<int> cell_of; // each node's number in the model; also of twins
     int first_outline_node = 0;
     std::vector<GroupPair> pairs;
     std::vector<Slot> slots;
     std::vector<OutlineGroup> outline;
-    int links_per_node = 0; // of the outline, at most;
-    std::vector<LinkGroup>
-        links_at;        // so many for each group from outline_group() on, a node's links ascending
+    // The links at each node of the groups from outline_group() on, ascending: as many as the most that a node has.
+    int links_per_node = 0;
+    std::vector<LinkGroup> links_at;
     SoftBodyModel model; // with the nodes' numbers in its outline and contact cells, and no more
 
     /// The first group that holds nodes of the outline (there is none without an outline), and how many there are from it
