@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "development/grow.h"
 
+#include "base/lane_sets.h"
 #include "body/connect.h"
 #include "support/print.h"
 #include "support/specimens.h"
@@ -174,4 +175,20 @@ BOOST_AUTO_TEST_CASE(growth_is_pure) {
         BOOST_TEST((first.body.positions == second.body.positions));
         BOOST_TEST(activations_of(first) == activations_of(second));
     }
+}
+
+BOOST_AUTO_TEST_CASE(every_width_of_lanes_grows_the_same_bits) {
+    const std::string_view widest = name_of(chosen_lanes());
+    for (const Actuation actuation : {Actuation::oscillator, Actuation::grn})
+        for (const Genome &genome : {disc_genome(actuation), random_genome(actuation, 3)}) {
+            choose_lanes("scalar");
+            const Growth scalar = grown(genome, actuation);
+            for (const LaneSet lanes : lane_sets()) {
+                choose_lanes(name_of(lanes));
+                const Growth wide = grown(genome, actuation);
+                BOOST_TEST((wide.body.positions == scalar.body.positions), name_of(lanes));
+                BOOST_TEST((activations_of(wide) == activations_of(scalar)), name_of(lanes));
+            }
+        }
+    choose_lanes(widest);
 }
