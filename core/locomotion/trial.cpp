@@ -33,8 +33,8 @@ class Muscles {
     void reach(int t, int steps, Engine &engine) {
         from_.swap(to_);
         gait_.signals(t, to_);
-        for (std::size_t i = 0; i < to_.size(); ++i)
-            elongations_[i] = elongation(range_, ramp(t, parameters_), to_[i]);
+        const double share = ramp(t, parameters_);
+        for (std::size_t i = 0; i < to_.size(); ++i) elongations_[i] = elongation(range_, share, to_[i]);
         engine.actuate(elongations_, steps);
     }
     /// The signals at this share of the way.
