@@ -21,6 +21,7 @@ constexpr std::uint64_t paced_seed = 1;
 constexpr Option options[] = {
     {"until", "N", "the last generation that is measured, from 0 (default: 50)"},
     threads_option,
+    lanes_option,
     set_option,
 };
 
@@ -75,7 +76,9 @@ class PaceCommand {
   public:
     PaceCommand(const Arguments &arguments, Console &console)
         : console_(console), threads_(threads_of(arguments)), design_(experiment_of(arguments, console)),
-          experiment_(experiment_of(arguments, console, {{"generations", until(arguments) + 1}})) {}
+          experiment_(experiment_of(arguments, console, {{"generations", until(arguments) + 1}})) {
+        use_lanes_of(arguments);
+    }
 
     int run() {
         std::int64_t evaluations = 0;

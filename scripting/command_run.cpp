@@ -21,6 +21,7 @@ constexpr Option options[] = {
     generations_option,
     population_option,
     threads_option,
+    lanes_option,
     set_option,
     {"only", "SETTING", "this setting and no other; may be repeated", true},
     {"out", "DIR", "where the runs go (default: build/runs/<experiment>)"},
@@ -72,6 +73,7 @@ class RunCommand {
           interval_(arguments.whole("checkpoint", 1, RunWriter::usual_interval)),
           out_(runs_folder(arguments, "out", experiment_)), seeds_(seeds_of(arguments, experiment_)),
           settings_(chosen_settings(arguments, experiment_)) {
+        use_lanes_of(arguments);
         for (const Spec &setting : experiment_.settings)
             identities_.push_back(identity_of(experiment_, setting));
     }

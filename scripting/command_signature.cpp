@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "base/lane_sets.h"
 #include "experiment/run.h"
 #include "experiment/signature.h"
 #include "scripting/commands.h"
@@ -17,16 +16,14 @@ constexpr std::uint64_t signed_seed = 1;
 
 constexpr Option options[] = {
     threads_option,
-    {"lanes", "NAME",
-     "how many numbers the kernels work on at once: scalar, sse2, avx2, avx512 (default: most)"},
+    lanes_option,
     {"script", "FILE", "the experiment whose settings are signed (default: the paper's replication)"},
 };
 
 int print_signature(const Arguments &arguments, Console &console) {
     const std::string standard = (console.library / "paper" / "replication.lua").string();
     const int threads = threads_of(arguments);
-    const std::string lanes = arguments.text("lanes", "");
-    if (!lanes.empty()) choose_lanes(lanes);
+    use_lanes_of(arguments);
     const Experiment experiment =
         load_experiment(arguments.text("script", standard), console.library, signed_size);
     const Interrupt interrupt;

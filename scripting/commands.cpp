@@ -2,6 +2,7 @@
 #include "scripting/commands.h"
 
 #include "base/error.h"
+#include "base/lane_sets.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "record/manifest.h"
@@ -139,6 +140,16 @@ std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment
 }
 
 int threads_of(const Arguments &arguments) { return arguments.whole("threads", 1, hardware_threads()); }
+
+void use_lanes_of(const Arguments &arguments) {
+    const std::string lanes = arguments.text("lanes", "");
+    if (lanes.empty()) return;
+    try {
+        choose_lanes(lanes);
+    } catch (const InputError &error) {
+        throw UsageError("--lanes " + lanes + ": " + error.what());
+    }
+}
 
 std::string runs_folder(const Arguments &arguments, std::string_view option, const Experiment &experiment) {
     return arguments.text(option, "build/runs/" + experiment.name);

@@ -43,6 +43,10 @@ inline constexpr Option set_option{"set", "NAME=VALUE",
                                    "a parameter of every setting; see planula parameters", true};
 inline constexpr Option threads_option{"threads", "N",
                                        "threads to use; the results do not depend on it (default: all)"};
+inline constexpr Option lanes_option{
+    "lanes", "NAME",
+    "how many numbers are computed at once: scalar, sse2, avx2 or avx512; the results "
+    "do not depend on it (default: the most that this processor can)"};
 
 /// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
 Overrides overrides_of(const Arguments &arguments);
@@ -52,6 +56,8 @@ Experiment experiment_of(const Arguments &arguments, const Console &console, con
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
 /// --threads, or all of the machine.
 int threads_of(const Arguments &arguments);
+/// From now on --lanes, if given. Throws UsageError with the nearest name.
+void use_lanes_of(const Arguments &arguments);
 /// Where runs of the experiment lie unless an option says otherwise: build/runs/<experiment>.
 std::string runs_folder(const Arguments &arguments, std::string_view option, const Experiment &experiment);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scripting/commands.h"
 
+#include "base/lane_sets.h"
 #include "support/scripts.h"
 
 #include <boost/test/unit_test.hpp>
@@ -89,6 +90,7 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
     refused({"--seeds", "1:2:3"}, "--seeds takes A:B or N");
     refused({"--threads", "0"}, "--threads takes a whole number of 1 or more");
     refused({"--only", "smal"}, "did you mean 'small'?");
+    refused({"--lanes", "skalar"}, "no lanes 'skalar'; did you mean 'scalar'?");
     BOOST_TEST(!fs::exists(place.runs()));
 }
 
@@ -156,11 +158,14 @@ BOOST_AUTO_TEST_CASE(a_run_is_written_skipped_when_complete_and_redone_when_anyt
     BOOST_TEST(content(folder / "individuals.csv.gz") != individuals);
 }
 
-BOOST_AUTO_TEST_CASE(threads_and_the_folder_of_the_script_change_no_byte) {
+BOOST_AUTO_TEST_CASE(threads_lanes_and_the_folder_of_the_script_change_no_byte) {
     const Workplace place(small);
-    const std::string other = place.path / "other";
+    const std::string other = place.path / "other", widest(name_of(chosen_lanes()));
     planula_says({"run", place.script(), "--seeds", "1", "--out", place.runs(), "--threads", "1"});
-    planula_says({"run", place.script(), "--seeds", "1", "--out", other, "--threads", "3"});
+    planula_says(
+        {"run", place.script(), "--seeds", "1", "--out", other, "--threads", "3", "--lanes", "scalar"});
+    BOOST_TEST((chosen_lanes() == LaneSet::scalar));
+    choose_lanes(widest);
     for (const char *file :
          {"individuals.csv.gz", "generations.csv", "best_genome.csv", "manifest.csv", "resolved.lua"}) {
         const std::string bytes = content(fs::path(place.runs()) / "small/seed-001" / file);
