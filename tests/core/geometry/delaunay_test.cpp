@@ -2,7 +2,7 @@
 #include "geometry/delaunay.h"
 
 #include "base/error.h"
-#include "base/random.h"
+#include "support/points.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -10,15 +10,9 @@
 #include <limits>
 
 using namespace planula;
+using planula::test::scatter;
 
 namespace {
-
-std::vector<Vec2d> scatter(int count, std::uint64_t seed) {
-    Stream stream(seed, 0, 0, Purpose::sampling);
-    std::vector<Vec2d> points(static_cast<std::size_t>(count));
-    for (auto &point : points) point.x = stream.uniform() * 10, point.y = stream.uniform() * 10;
-    return points;
-}
 
 /// Positive if d is inside the circle through a, b, c (counter-clockwise), in extended precision.
 long double in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {

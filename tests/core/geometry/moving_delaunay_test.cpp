@@ -3,21 +3,15 @@
 
 #include "base/math.h"
 #include "base/random.h"
+#include "support/points.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <span>
+#include <utility>
+
 using namespace planula;
-
-namespace {
-
-std::vector<Vec2d> scatter(int count, std::uint64_t seed) {
-    Stream stream(seed, 0, 0, Purpose::sampling);
-    std::vector<Vec2d> points(static_cast<std::size_t>(count));
-    for (auto &point : points) point.x = stream.uniform() * 10, point.y = stream.uniform() * 10;
-    return points;
-}
-
-} // namespace
+using planula::test::scatter;
 
 BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) {
     // A cloud that jitters and grows, inside and over its hull: mostly kept or mended, where points jump over several
