@@ -175,16 +175,19 @@ template <int i, int j, int k, int l, class Vector> Vector within_blocks(Vector 
     return within_blocks<i, j, k, l>(one, two, LaneNumbers<Vector>{});
 }
 
-/// Half as many blocks of `one` as it has, from the first on by `stride` blocks, then the same of `two`.
-template <int first, int stride, class Vector, int... lane>
-Vector whole_blocks(Vector one, Vector two, std::integer_sequence<int, lane...>) {
-    constexpr int half = sizeof...(lane) / 2;
-    return __builtin_shufflevector(
-        one, two, (lane / half * 2 * half + 4 * (first + lane % half / 4 * stride) + lane % 4)...);
+/// The blocks to every fourth block from there on.
+#if defined(__x86_64__)
+inline void store_blocks(__m128 blocks, float *to) { _mm_storeu_ps(to, blocks); }
+#endif
+#if defined(__AVX__)
+inline void store_blocks(__m256 blocks, float *to) { _mm256_storeu2_m128(to + 16, to, blocks); }
+#endif
+#if defined(__AVX512DQ__)
+inline void store_blocks(__m512 blocks, float *to) {
+    store_blocks(_mm512_castps512_ps256(blocks), to);
+    store_blocks(_mm512_extractf32x8_ps(blocks, 1), to + 32);
 }
-template <int first, int stride, class Vector> Vector whole_blocks(Vector one, Vector two) {
-    return whole_blocks<first, stride>(one, two, LaneNumbers<Vector>{});
-}
+#endif
 
 /// Rows to columns, in each block.
 template <class T, class Floats = typename T::Vector>
@@ -224,6 +227,23 @@ template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &
 #endif
 }
 
+/// The four fields of `T::width` records that lie one after another.
+template <class T> inline Fields<T> load_fields(const float *from) {
+#if defined(__AVX512DQ__)
+    if constexpr (T::width == 16) {
+        // Transposed as they lie, they stand in turn in every fourth lane.
+        const auto rows = transposed<T>(load<T>(from).value, load<T>(from + 16).value,
+                                        load<T>(from + 32).value, load<T>(from + 48).value);
+        const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+        const auto ordered = [&](T lanes) {
+            return T::of(_mm512_maskz_permutexvar_ps(0xffff, order, lanes.value));
+        };
+        return {ordered(rows.a), ordered(rows.b), ordered(rows.c), ordered(rows.d)};
+    }
+#endif
+    return load_fields<T>([&](int lane) { return from + 4 * lane; });
+}
+
 /// The fields of `T::width` records to records that lie one after another.
 template <class T> void store_fields(const Fields<T> &fields, float *to) {
     if constexpr (T::width == 1) {
@@ -231,25 +251,9 @@ template <class T> void store_fields(const Fields<T> &fields, float *to) {
     } else {
         const auto [r0, r1, r2, r3] =
             transposed<T>(fields.a.value, fields.b.value, fields.c.value, fields.d.value);
-        if constexpr (T::width == 4) {
-            store(r0, to), store(r1, to + 4), store(r2, to + 8), store(r3, to + 12);
-        } else if constexpr (T::width == 8) {
-            // Each holds two records, four apart.
-            const auto join = [](T one, T two) { return T::of(whole_blocks<0, 1>(one.value, two.value)); };
-            const auto rest = [](T one, T two) { return T::of(whole_blocks<1, 1>(one.value, two.value)); };
-            store(join(r0, r1), to), store(join(r2, r3), to + 8);
-            store(rest(r0, r1), to + 16), store(rest(r2, r3), to + 24);
-        } else {
-            // Each holds four records, four apart.
-            const auto r01 = whole_blocks<0, 1>(r0.value, r1.value),
-                       r23 = whole_blocks<0, 1>(r2.value, r3.value);
-            const auto s01 = whole_blocks<2, 1>(r0.value, r1.value),
-                       s23 = whole_blocks<2, 1>(r2.value, r3.value);
-            store(T::of(whole_blocks<0, 2>(r01, r23)), to),
-                store(T::of(whole_blocks<1, 2>(r01, r23)), to + 16);
-            store(T::of(whole_blocks<0, 2>(s01, s23)), to + 32),
-                store(T::of(whole_blocks<1, 2>(s01, s23)), to + 48);
-        }
+        // Each holds a record in each of its blocks, four apart.
+        store_blocks(r0.value, to), store_blocks(r1.value, to + 4);
+        store_blocks(r2.value, to + 8), store_blocks(r3.value, to + 12);
     }
 }
 

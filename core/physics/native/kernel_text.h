@@ -26,7 +26,7 @@ template <class T> Nodes<T> load_nodes(const Record *records, const Place *place
 }
 
 template <class T> Nodes<T> load_nodes(const Record *records) {
-    const auto fields = load_fields<T>([&](int lane) { return &records[lane].x; });
+    const auto fields = load_fields<T>(&records->x);
     return {{fields.a, fields.b}, {fields.c, fields.d}};
 }
 
