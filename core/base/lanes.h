@@ -184,8 +184,8 @@ inline void store_blocks(__m256 blocks, float *to) { _mm256_storeu2_m128(to + 16
 #endif
 #if defined(__AVX512DQ__)
 inline void store_blocks(__m512 blocks, float *to) {
-    store_blocks(_mm512_castps512_ps256(blocks), to);
-    store_blocks(_mm512_extractf32x8_ps(blocks, 1), to + 32);
+    store_blocks(__builtin_shufflevector(blocks, blocks, 0, 1, 2, 3, 4, 5, 6, 7), to);
+    store_blocks(__builtin_shufflevector(blocks, blocks, 8, 9, 10, 11, 12, 13, 14, 15), to + 32);
 }
 #endif
 

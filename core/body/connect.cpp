@@ -24,6 +24,7 @@ std::vector<Link> links_of(const Edges &edges, std::span<const char> is_short,
                            std::span<const Vec2d> positions) {
     Components components(static_cast<int>(positions.size()));
     std::vector<Link> links;
+    links.reserve(edges.size());
     std::vector<std::pair<double, Link>> longer;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const auto [a, b] = edges[i];

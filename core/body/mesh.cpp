@@ -1,38 +1,35 @@
 // SPDX-License-Identifier: MIT
 #include "body/mesh.h"
 
+#include "base/counting_sort.h"
+
 #include <algorithm>
+#include <array>
 #include <numeric>
-#include <utility>
 
 namespace planula {
 
-namespace {
-
-using HalfEdge = std::pair<int, int>;
-
-/// The sides of all triangles, counter-clockwise, ascending.
-std::vector<HalfEdge> half_edges(const Mesh &mesh) {
-    std::vector<HalfEdge> edges;
-    edges.reserve(3 * mesh.triangles.size());
-    for (const auto &[a, b, c] : mesh.triangles) edges.insert(edges.end(), {{a, b}, {b, c}, {c, a}});
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
-} // namespace
-
 std::vector<OutlineLink> outline(const Mesh &mesh) {
-    // A link is inner if both its half-edges lie in triangles.
-    const std::vector<HalfEdge> edges = half_edges(mesh);
-    const auto has = [&](int from, int to) {
-        return std::binary_search(edges.begin(), edges.end(), HalfEdge{from, to});
+    // Each side of a triangle as the link it lies on, and whether it goes down from the higher end.
+    std::vector<std::array<int, 3>> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    int highest = 1;
+    const auto add = [&](int from, int to) {
+        sides.push_back({std::min(from, to), std::max(from, to), from > to});
+        highest = std::max(highest, sides.back()[1]);
     };
+    for (const auto &[a, b, c] : mesh.triangles) add(a, b), add(b, c), add(c, a);
+    counting_sort(sides, highest + 1);
+
+    // Both are in ascending order.
     std::vector<OutlineLink> links;
+    auto side = sides.begin();
     for (const auto &[a, b] : mesh.links) {
-        const bool forward = has(a, b), backward = has(b, a);
-        if (forward && backward) continue;
-        links.push_back(backward ? OutlineLink{b, a, true} : OutlineLink{a, b, forward});
+        bool up = false, down = false;
+        for (; side != sides.end() && (*side)[0] == a && (*side)[1] == b; ++side)
+            ((*side)[2] ? down : up) = true;
+        if (up && down) continue; // inside
+        links.push_back(down ? OutlineLink{b, a, true} : OutlineLink{a, b, up});
     }
     return links;
 }

@@ -24,7 +24,7 @@ struct Triangle {
 
 struct Mesh {
     std::vector<Link> links;         // ascending
-    std::vector<Triangle> triangles; // ascending
+    std::vector<Triangle> triangles; // ascending; their sides are links
 };
 
 /// A link on the outline: in exactly one triangle, and then directed from a to b with the body on the left,

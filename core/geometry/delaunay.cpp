@@ -2,10 +2,10 @@
 #include "geometry/delaunay.h"
 
 #include "base/check.h"
+#include "base/counting_sort.h"
 #include "geometry/predicates.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace planula {
@@ -51,19 +51,6 @@ Edges chain(const exact::Delaunay &mesh) {
     return edges;
 }
 
-/// All that visit() shows to its argument, ascending; their first numbers are below `bins`.
-template <class Item, class Visit> std::vector<Item> in_order(std::size_t bins, const Visit &visit) {
-    // Counted, then put into bins by their first number, each from its end.
-    std::vector<int> first(bins + 1);
-    visit([&](const Item &item) { ++first[item[0]]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Item> items(static_cast<std::size_t>(first.back()));
-    visit([&](const Item &item) { items[--first[item[0]]] = item; });
-    for (std::size_t bin = 0; bin < bins; ++bin)
-        std::sort(items.begin() + first[bin], items.begin() + first[bin + 1]);
-    return items;
-}
-
 } // namespace
 
 Triangulation delaunay(std::span<const Vec2d> points) {
@@ -79,25 +66,30 @@ std::vector<Face> delaunay_faces(std::span<const Vec2d> points) {
 }
 
 Edges edges_of(std::span<const Face> faces, std::size_t points) {
-    return in_order<Edges::value_type>(points, [&](const auto &show) {
-        // An edge goes up in one of its faces and down in the other.
-        for (const auto &[corner, beyond] : faces) {
-            const auto [a, b, c] = corner;
-            if (0 <= a && a < b) show({a, b});
-            if (0 <= b && b < c) show({b, c});
-            if (0 <= c && c < a) show({c, a});
+    // An edge goes up in one of its faces and down in the other. All sides are written, those that go up kept.
+    Edges edges(3 * faces.size() + 1);
+    std::size_t count = 0;
+    for (const auto &[corner, beyond] : faces)
+        for (int i = 0; i < 3; ++i) {
+            const int from = corner[i], to = corner[(i + 1) % 3];
+            edges[count] = {from, to};
+            count += static_cast<std::size_t>((0 <= from) & (from < to));
         }
-    });
+    edges.resize(count);
+    counting_sort(edges, static_cast<int>(points));
+    return edges;
 }
 
 Triangles triangles_of(std::span<const Face> faces, std::size_t points) {
-    return in_order<Triangles::value_type>(points, [&](const auto &show) {
-        for (const auto &[corner, beyond] : faces) {
-            const auto [a, b, c] = corner;
-            const int low = std::min({a, b, c});
-            if (low >= 0) show(low == a ? corner : low == b ? std::array{b, c, a} : std::array{c, a, b});
-        }
-    });
+    Triangles triangles;
+    for (const auto &[corner, beyond] : faces) {
+        const auto [a, b, c] = corner;
+        const int low = std::min({a, b, c});
+        if (low >= 0)
+            triangles.push_back(low == a ? corner : low == b ? std::array{b, c, a} : std::array{c, a, b});
+    }
+    counting_sort(triangles, static_cast<int>(points));
+    return triangles;
 }
 
 } // namespace planula

@@ -173,6 +173,6 @@ BOOST_AUTO_TEST_CASE(a_judge_that_goes_on_remembers_what_it_had_counted_and_seen
     BOOST_TEST(!second.judge(life_at(8)).valid());
     second.begin_run();
     BOOST_TEST(second.judge(life_at(8)).valid());
-    for (const std::string memory : {std::string(), std::string("nonsense"), first.memory() + "x"})
+    for (const std::string &memory : {std::string(), std::string("nonsense"), first.memory() + "x"})
         BOOST_TEST(!test::refusal([&] { second.continue_run(memory); }).empty());
 }
