@@ -150,7 +150,8 @@ template <class T> unsigned bits_of(typename T::Mask mask) {
         return signs_of((typename T::Vector)mask);
 }
 
-/// Whether a condition holds in every lane.
+/// Whether a condition holds in some lane, or in every one.
+template <class T> bool any_of(typename T::Mask mask) { return bits_of<T>(mask) != 0; }
 template <class T> bool all_of(typename T::Mask mask) { return bits_of<T>(mask) == (1u << T::width) - 1; }
 
 /// The least number of all lanes.

@@ -11,6 +11,12 @@ namespace planula {
 /// A straight piece of ground: a point of it and its unit normal, upwards.
 template <class T> struct GroundPlane { Vec2<T> point, normal{0, 1}; };
 
+/// How high above the ground a node would be at the end of the step.
+template <class T>
+T height_above(const GroundPlane<T> &ground, Vec2<T> position, Vec2<T> velocity, T time_step) {
+    return dot(position - ground.point, ground.normal) + dot(velocity, ground.normal) * time_step;
+}
+
 /// The velocity after contact of a node that would be below the ground at the end of the step: the normal
 /// part just brings it to the ground, the tangential part moves towards 0 by at most friction × that impulse.
 template <class T>
@@ -19,7 +25,7 @@ Vec2<T> ground_contact(Vec2<T> position, Vec2<T> velocity, const GroundPlane<T> 
     using std::abs, std::max;
     const Vec2<T> along = right_normal(ground.normal);
     const T up = dot(velocity, ground.normal);
-    const T gap = dot(position - ground.point, ground.normal) + up * time_step;
+    const T gap = height_above(ground, position, velocity, time_step);
     const T impulse = -gap * (T(1) / time_step);
     const T sliding = dot(velocity, along), slowed = max(abs(sliding) - friction * impulse, T(0));
     const Vec2<T> touching = ground.normal * (up + impulse) + along * select(sliding < T(0), -slowed, slowed);

@@ -102,7 +102,12 @@ template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced
     const auto &[position, velocity] = forced.nodes;
     Vec2<T> v = (velocity + forced.force * time_step) * slowing;
     v.y = v.y - fall;
-    if (task.slopes > 0) v = ground_contact(position, v, ground_below(task, position.x), friction, time_step);
+    if (task.slopes > 0) {
+        // Most nodes are above it together.
+        const GroundPlane<T> ground = ground_below(task, position.x);
+        if (any_of<T>(height_above(ground, position, v, time_step) < T(0)))
+            v = ground_contact(position, v, ground, friction, time_step);
+    }
     store_nodes<T>({position + v * time_step, v}, next + forced.first);
     return v;
 }
