@@ -268,12 +268,12 @@ template <class T>
     return least_of(least);
 }
 
-/// `Pair`: lanes for the step, up to those of a pair; the rest works on groups.
+/// `Pair`: lanes for what works on slots, up to those of a pair; the rest works on groups.
 template <class T, class Pair = T> Kernel kernel_of(const char *name) {
     return {name,
             step<Pair>,
             drag<T>,
-            reach_knot<T>,
+            reach_knot<Pair>,
             squared_motion<T>,
             circle_links<T>,
             find_circles<T>,
