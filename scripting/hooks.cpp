@@ -43,7 +43,7 @@ Life specimen(Outcome outcome, Stage stage, const Parameters &parameters) {
     life.settle_steps = 2 * parameters.settle_window;
     life.rest = {0, 1};
     life.end = {10, 1.5};
-    life.activity = 0.25;
+    life.activity = life.late_actuation = 0.25;
     const int steps = parameters.locomotion_steps / parameters.path_interval;
     for (int i = 0; i <= steps; ++i)
         life.path.push_back(life.rest +

@@ -47,6 +47,7 @@ constexpr Field fields[] = {
     {"elongation", [](lua_State *L, const Life &life, int) { push_number(L, life.elongation); }},
     {"finish", [](lua_State *L, const Life &life, int) { push_point(L, life.end); }},
     {"largest", [](lua_State *L, const Life &life, int) { push_number(L, life.largest); }},
+    {"late_actuation", [](lua_State *L, const Life &life, int) { push_number(L, life.late_actuation); }},
     {"links", [](lua_State *L, const Life &life, int) { push_number(L, life.links); }},
     {"outcome", [](lua_State *L, const Life &life, int) { lua_pushstring(L, name_of(life.outcome)); }},
     {"path", push_path},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // life: what a hook sees of a finished life, read-only. Fields: activity, births, cells, displacement,
-// elongation, finish {x, y} (Life::end; `end` is a word of Lua), largest, links, outcome, path (a list of
-// {x, y}), rest {x, y}, settle_steps, triangles. Any other name is an error with the nearest one.
+// elongation, finish {x, y} (Life::end; `end` is a word of Lua), largest, late_actuation, links, outcome, path
+// (a list of {x, y}), rest {x, y}, settle_steps, triangles. Any other name is an error with the nearest one.
 #pragma once
 
 #include "evaluation/life.h"

@@ -157,9 +157,12 @@ Finding elongated(const Case &c) {
 }
 
 Finding cyclic(const Case &c) {
+    // Who falls over once makes no way late, who contracts once and glides no movement of its own.
     int found = 0;
-    for (const RunHistory &history : c.a->histories)
-        found += history.after.at(c.generations).champion.late_share < c.claim.level;
+    for (const RunHistory &history : c.a->histories) {
+        const ChampionRow &champion = history.after.at(c.generations).champion;
+        found += std::min(champion.late_share, champion.late_actuation) < c.claim.level;
+    }
 
     // The original's runs and ours together: how often would chance give ours so many?
     const int ours = static_cast<int>(c.a->runs.size()), original = c.analysis.design.seeds;

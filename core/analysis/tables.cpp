@@ -90,6 +90,7 @@ std::vector<RunRow> run_rows(const SettingRuns &setting) {
                 .best_generation = champion.generation,
                 .best_cells = champion.cells,
                 .late_share = champion.late_share,
+                .late_actuation = champion.late_actuation,
                 .elongation = champion.elongation,
                 .size_entropy = facts.size_entropy,
                 .viable = facts.viable,

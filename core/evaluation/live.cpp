@@ -50,6 +50,7 @@ void move_alike(const Life &moved, Life &life) {
     life.rest = moved.rest;
     life.end = moved.end;
     life.activity = moved.activity;
+    life.late_actuation = moved.late_actuation;
     life.path = moved.path;
 }
 
@@ -86,6 +87,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     life.rest = trial.rest;
     life.end = trial.end;
     life.activity = trial.activity;
+    life.late_actuation = trial.late_actuation;
     life.path = std::move(trial.path);
     return life;
 }

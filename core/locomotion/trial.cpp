@@ -3,6 +3,8 @@
 
 #include "body/body.h"
 
+#include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace planula {
@@ -25,7 +27,7 @@ class Muscles {
   public:
     Muscles(const Parameters &parameters, double range, int cells, Gait &gait)
         : parameters_(parameters), range_(range), gait_(gait), from_(cells), to_(cells), now_(cells),
-          elongations_(cells) {
+          elongations_(cells), changes_(cells) {
         gait.signals(0, to_);
     }
 
@@ -34,9 +36,14 @@ class Muscles {
         from_.swap(to_);
         gait_.signals(t, to_);
         const double share = ramp(t, parameters_);
-        for (std::size_t i = 0; i < to_.size(); ++i) elongations_[i] = elongation(range_, share, to_[i]);
+        for (std::size_t i = 0; i < to_.size(); ++i) {
+            elongations_[i] = elongation(range_, share, to_[i]);
+            changes_[i] += std::abs(to_[i] - from_[i]);
+        }
         engine.actuate(elongations_, steps);
     }
+    /// By how much all signals have changed from knot to knot so far.
+    double change() const { return std::accumulate(changes_.begin(), changes_.end(), 0.0); }
     /// The signals at this share of the way.
     std::span<const double> signals(double share) {
         for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = from_[i] + share * (to_[i] - from_[i]);
@@ -47,7 +54,7 @@ class Muscles {
     const Parameters &parameters_;
     double range_;
     Gait &gait_;
-    std::vector<double> from_, to_, now_, elongations_; // per cell
+    std::vector<double> from_, to_, now_, elongations_, changes_; // per cell
 };
 
 } // namespace
@@ -66,8 +73,11 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
 
     // Step n uses the rest lengths of t = n + 1: exact at knots, linear between them. At t = 0 the ramp is 0.
     Muscles muscles(p, actuation_range, model.nodes(), gait);
+    const int last_quarter = 3 * p.locomotion_steps / 4 / p.knot_interval * p.knot_interval;
+    double before = 0; // change of signals before it
     if (watch) watch(0, engine.positions(), muscles.signals(1));
     for (int start = 0; start < p.locomotion_steps; start += p.knot_interval) {
+        if (start == last_quarter) before = muscles.change();
         muscles.reach(start + p.knot_interval, p.knot_interval, engine);
         for (int j = 1; j <= p.knot_interval; ++j) {
             const Motion motion = engine.step(0);
@@ -83,6 +93,8 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
     }
     trial.end = centre_of_mass(engine.positions());
     trial.activity = gait.activity();
+    const double change = muscles.change();
+    trial.late_actuation = change > 0 ? (change - before) / change : 0;
     return trial;
 }
 

@@ -16,7 +16,10 @@ struct Trial {
     int settle_steps = 0;              // until the body was at rest; 0 without gravity
     Vec2d rest, end;                   // centre of mass at rest and after the last step
     double activity = 0;               // b_a of Eq. (5)
-    std::vector<Vec2d> path;           // centre of mass every path_interval steps from rest on
+    // How much of all change of the signals was in the last quarter of locomotion; 0 if they never changed. With an
+    // even rhythm 0.25, after a single contraction 0.
+    double late_actuation = 0;
+    std::vector<Vec2d> path; // centre of mass every path_interval steps from rest on
 };
 
 /// Called at rest (step 0) and after every step, with node positions and each cell's signal.

@@ -66,6 +66,7 @@ ChampionRow champion_row(const Generation &g, const Parameters &parameters) {
             .cells = life.cells,
             .displacement = life.displacement(),
             .late_share = late_share(life, parameters),
+            .late_actuation = life.late_actuation,
             .elongation = life.elongation,
             .x = moved.x,
             .y = moved.y,

@@ -7,7 +7,8 @@
 -- there is one that says the same; S14 (how the best bodies look) has none, so it stays with Figs. 3-5.
 local summary = require "paper.summary"
 
--- §3.1: a gait is cyclic if its last quarter still covers this share of the way; an even gait covers 0.25.
+-- §3.1: a gait is cyclic if in its last quarter there still are this share of the way and this share of all that
+-- the muscles do; of an even gait there is 0.25 of both.
 local late_share = 0.1
 
 return planula.fill({

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
         2 * 4 + 3 * 8);
     BOOST_TEST(fitness_of("life.outcome == 'viable' and 1 or 0") == 1);
     BOOST_TEST(fitness_of("life.births + life.largest + life.links + life.triangles + life.elongation + "
-                          "life.settle_steps + life.activity") == 0);
+                          "life.settle_steps + life.activity + life.late_actuation") == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_hook_sees_the_parameters_of_its_setting) {

@@ -76,6 +76,7 @@ inline std::string flaw(const Life &life, const Parameters &p) {
         if (!is_finite(place)) return "a path that is not finite";
     if (!std::isfinite(life.elongation) || life.elongation < 0) return "an elongation that is none";
     if (!(life.activity >= 0 && life.activity <= 1)) return "an activity outside [0, 1]";
+    if (!(life.late_actuation >= 0 && life.late_actuation <= 1)) return "a late actuation outside [0, 1]";
     if (life.births < 1 || life.births > p.birth_limit) return "a count of births beyond its limit";
     if (life.cells < 0 || life.largest < life.cells || life.largest > p.cell_limit)
         return "a count of cells beyond its limit";

@@ -142,9 +142,12 @@ BOOST_AUTO_TEST_CASE(gaits_that_do_not_last_are_counted_against_the_originals) {
     Claim claim = fake_claim("cyclic");
     claim.b = "";
     claim.level = 0.05, claim.count = 1;
+    // Every other one glides.
     const auto stop = [&](int runs) {
-        for (int run = 0; run < runs; ++run)
-            settings[0].histories[run].after.at(10).champion.late_share = 0.01;
+        for (int run = 0; run < runs; ++run) {
+            ChampionRow &champion = settings[0].histories[run].after.at(10).champion;
+            (run % 2 ? champion.late_share : champion.late_actuation) = 0.01;
+        }
         return judge_claim(claim, fake_analysis(), settings);
     };
     BOOST_TEST(stop(0).verdict == "reproduced");

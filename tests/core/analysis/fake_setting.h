@@ -56,7 +56,7 @@ inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &val
             facts.champion.fitness = facts.size_entropy = facts.fitness_spread = values[i];
             facts.direction_resultant = values[i];
             facts.side_switches = static_cast<int>(values[i]);
-            facts.champion.late_share = 0.25;
+            facts.champion.late_share = facts.champion.late_actuation = 0.25;
             facts.champion.elongation = 2;
         }
         setting.histories.push_back(history);

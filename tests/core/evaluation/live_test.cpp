@@ -30,7 +30,8 @@ Life lived(const Genome &genome, Actuation actuation, bool on_land, const Watch 
 
 bool equal(const Life &a, const Life &b) {
     return a.outcome == b.outcome && a.cells == b.cells && a.rest == b.rest && a.end == b.end &&
-           a.activity == b.activity && a.path == b.path && a.elongation == b.elongation;
+           a.activity == b.activity && a.late_actuation == b.late_actuation && a.path == b.path &&
+           a.elongation == b.elongation;
 }
 
 } // namespace

@@ -26,7 +26,7 @@ bool equal(const Life &a, const Life &b) {
     return a.outcome == b.outcome && a.cells == b.cells && a.largest == b.largest && a.births == b.births &&
            a.links == b.links && a.triangles == b.triangles && a.elongation == b.elongation &&
            a.shape == b.shape && a.settle_steps == b.settle_steps && a.rest == b.rest && a.end == b.end &&
-           a.activity == b.activity && a.path == b.path;
+           a.activity == b.activity && a.late_actuation == b.late_actuation && a.path == b.path;
 }
 
 /// Lives a generation; each life must be what live() says.

@@ -99,6 +99,20 @@ BOOST_AUTO_TEST_CASE(step_n_uses_the_rest_lengths_of_t_n_plus_1_linear_between_k
     BOOST_TEST(gait.asked.back() == 4000);
 }
 
+BOOST_AUTO_TEST_CASE(late_actuation_tells_a_rhythm_from_a_single_contraction) {
+    const auto model = embody(lattice(2, 1), water(), Parameters{});
+    const auto late = [&](const std::function<double(int)> &signal) {
+        Unison gait(signal);
+        Scribe engine;
+        return locomote(model, water(), 0.4, gait, engine).late_actuation;
+    };
+    BOOST_TEST(late([](int t) { return t / 10 % 2; }) == 0.25);
+    BOOST_TEST(late([](int t) { return std::min(1.0, t / 80.0); }) == 0);
+    BOOST_TEST(late([](int) { return 0.7; }) == 0);
+    BOOST_TEST(late([](int t) { return t > 3000; }) == 1);
+    BOOST_TEST(late([](int t) { return t >= 3000; }) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
     const auto model = embody(lattice(2, 1), water(), Parameters{});
     Unison gait([](int) { return 0.0; });

@@ -113,6 +113,7 @@ inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
     if (fake.outcome != Outcome::viable) return life;
     life.rest = {0.25, 0.5};
     life.end = life.rest + fake.moved;
+    life.late_actuation = 0.375;
     const int samples = parameters.locomotion_steps / parameters.path_interval;
     for (int i = 0; i <= samples; ++i)
         life.path.push_back(life.rest + fake.moved * (static_cast<double>(i) / samples));

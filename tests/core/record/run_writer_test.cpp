@@ -170,6 +170,7 @@ BOOST_AUTO_TEST_CASE(a_champion_is_recorded_each_time_the_best_fitness_rises) {
     BOOST_TEST(rows[1].x == 3);
     // The fake lives move evenly, so that the last quarter makes a quarter of the way.
     BOOST_TEST(rows[1].late_share == 0.25, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(rows[1].late_actuation == 0.375);
 }
 
 BOOST_AUTO_TEST_CASE(the_best_genome_is_the_last_champions) {
