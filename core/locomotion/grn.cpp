@@ -36,8 +36,16 @@ double GrnMuscles::activity() const {
 }
 
 void GrnMuscles::update() {
-    // All cells read the morphogens of the update before.
+    if (is_at_rest_) {
+        ++updates_;
+        return;
+    }
+    // Where no signal changed, nothing may have, and then nothing ever will.
     Activations &activations = tissue_.activations;
+    const bool may_rest = updates_ > 1 && newest_ == previous_;
+    if (may_rest) before_ = activations;
+
+    // All cells read the morphogens of the update before.
     const int cells = activations.cells();
     for (int i = 0; i < cells; ++i)
         activations.at(i, input::morphogen) = mean_morphogen(neighbours_[i], tissue_.morphogens);
@@ -50,6 +58,7 @@ void GrnMuscles::update() {
         if (updates_ > 0) change_ += std::abs(newest_[i] - previous_[i]);
     }
     ++updates_;
+    is_at_rest_ = may_rest && identical(activations, before_);
 }
 
 } // namespace planula

@@ -30,6 +30,8 @@ class GrnMuscles : public Gait {
     int updates_ = 0;
     double change_ = 0; // Σ |s_u − s_{u−1}| over cells and updates from the second on
     bool sound_ = true;
+    Activations before_;      // those before the last update, if it may have changed nothing
+    bool is_at_rest_ = false; // whether it changed nothing, to the bit
 };
 
 } // namespace planula

@@ -3,6 +3,8 @@
 
 #include "base/check.h"
 
+#include <cstring>
+
 namespace planula {
 
 void Activations::append_copy(int cell) {
@@ -20,6 +22,11 @@ void Activations::remove(std::span<const char> marks) {
     }
     cells_ = kept;
     values_.resize(static_cast<std::size_t>(groups()) * nodes_ * group_size);
+}
+
+bool identical(const Activations &a, const Activations &b) {
+    return a.nodes_ == b.nodes_ && a.cells_ == b.cells_ && a.values_.size() == b.values_.size() &&
+           std::memcmp(a.values_.data(), b.values_.data(), a.values_.size() * sizeof(double)) == 0;
 }
 
 void Activations::copy(int from, int to) {

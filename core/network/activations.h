@@ -27,6 +27,9 @@ class Activations {
     /// Removes the marked cells, one mark per cell; the others keep their order.
     void remove(std::span<const char> marks);
 
+    /// Whether all bits are the same; those of lanes that hold anything may make it false.
+    friend bool identical(const Activations &a, const Activations &b);
+
     int groups() const { return (cells_ + group_size - 1) / group_size; }
     /// Group after group, node after node; lanes beyond the last cell hold anything.
     double *values() { return values_.data(); }

@@ -29,7 +29,7 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     push_x_.assign(now_.size(), 0), push_y_.assign(now_.size(), 0);
     half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
     touched_ = false, moved_ = 0;
-    knot_steps_ = knot_interval_ = 0;
+    knot_steps_ = knot_interval_ = 0, muscles_move_ = false;
     set_tasks(model.parameters, environment);
 }
 
@@ -80,11 +80,19 @@ void NativeEngine::lay_ground(const Environment &environment) {
 }
 
 void NativeEngine::actuate(std::span<const double> elongations, int steps) {
-    for (std::size_t i = 0; i < elongation_.size(); ++i)
-        elongation_[i].own[0] = static_cast<float>(elongations[body_.cell_of[i]]);
-    const auto pairs = static_cast<int>(body_.pairs.size());
-    kernel_.reach_knot({task_.pairs, pairs, elongation_.data(), static_cast<float>(steps)},
-                       body_.slots.data());
+    bool moves = false;
+    for (std::size_t i = 0; i < elongation_.size(); ++i) {
+        const auto next = static_cast<float>(elongations[body_.cell_of[i]]);
+        moves = moves || next != elongation_[i].own[0];
+        elongation_[i].own[0] = next;
+    }
+    // Muscles that held still to the last knot too have told the slots already.
+    if (moves || muscles_move_) {
+        const auto pairs = static_cast<int>(body_.pairs.size());
+        kernel_.reach_knot({task_.pairs, pairs, elongation_.data(), static_cast<float>(steps)},
+                           body_.slots.data());
+    }
+    muscles_move_ = moves;
     knot_steps_ = 0, knot_interval_ = steps;
 }
 

@@ -40,6 +40,7 @@ class NativeEngine : public Engine {
     bool touched_ = false;                       // whether touches pushed
     float moved_ = 0;                            // how far the fastest node went in the last step
     int knot_steps_ = 0, knot_interval_ = 0;
+    bool muscles_move_ = false; // towards the coming knot
 };
 
 } // namespace planula

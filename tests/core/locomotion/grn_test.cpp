@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/grn.h"
 
+#include "cell/senses.h"
 #include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
@@ -98,4 +99,45 @@ BOOST_AUTO_TEST_CASE(an_activation_that_is_not_finite_is_noticed) {
     BOOST_TEST(gait.is_sound());
     gait.signals(0, signal);
     BOOST_TEST(!gait.is_sound());
+}
+
+BOOST_AUTO_TEST_CASE(networks_at_rest_are_those_that_go_on_being_updated) {
+    // Random networks against plain updates of all cells, to the bit; some come to rest, some oscillate.
+    int resting = 0, moving = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const Network network = express(random_genome(Actuation::grn, seed), 16);
+        const Body body = make_body({{0, 0}, {1, 0}, {0.5, 0.8}}, 1.5);
+        Tissue tissue{Activations(network.nodes, 3), {0.5, -0.25, 0}};
+        const Parameters parameters;
+        GrnMuscles gait(network, body, tissue, parameters);
+
+        Activations &activations = tissue.activations;
+        for (int cell = 0; cell < 3; ++cell) {
+            const auto inputs = sense(body.positions[cell], 0, 1, parameters);
+            for (int node = 0; node < input::count; ++node) activations.at(cell, node) = inputs[node];
+        }
+        const int spring = network.inputs + output::spring, morphogen = network.inputs + output::morphogen;
+        std::vector<double> signal(3);
+        std::vector<double> newest(3), previous(3);
+        for (int t = 0; t < parameters.locomotion_steps; t += parameters.knot_interval) {
+            gait.signals(t, signal);
+            if (t % parameters.update_interval != 0) continue;
+            // Here the signal is what the update before has left.
+            BOOST_REQUIRE((signal == newest));
+            for (int cell = 0; cell < 3; ++cell) {
+                const int low = cell == 0 ? 1 : 0, high = cell == 2 ? 1 : 2;
+                activations.at(cell, input::morphogen) =
+                    (tissue.morphogens[low] + tissue.morphogens[high]) / 2;
+            }
+            step(network, activations);
+            previous = newest;
+            for (int cell = 0; cell < 3; ++cell) {
+                tissue.morphogens[cell] = activations.at(cell, morphogen);
+                newest[cell] = activations.at(cell, spring);
+            }
+        }
+        (newest == previous ? resting : moving) += 1;
+    }
+    BOOST_TEST(resting >= 10);
+    BOOST_TEST(moving >= 5);
 }

@@ -139,6 +139,29 @@ BOOST_AUTO_TEST_CASE(rest_lengths_go_linearly_from_knot_to_knot_and_stay_there) 
     BOOST_TEST(std::abs(length_after(500) - 0.8) < 1e-5);
 }
 
+BOOST_AUTO_TEST_CASE(muscles_that_hold_still_need_no_knots) {
+    const auto model = embody(hook(), empty_space(), Parameters{});
+    const auto positions_after = [&](int interval) {
+        NativeEngine engine;
+        engine.load(model, empty_space());
+        std::vector<double> elongations(static_cast<std::size_t>(model.nodes()));
+        const auto pull = [&](double share, int steps) {
+            for (int i = 0; i < model.nodes(); ++i) elongations[i] = share * math::sin(0.7 * i);
+            engine.actuate(elongations, steps);
+            for (int i = 0; i < steps; ++i) engine.step(0);
+        };
+        // Each goes to its place in 10 steps and stays there for 60, in several knots or in one.
+        for (const double share : {0.0, 0.2, -0.1, 0.0, 0.2}) {
+            pull(share, 10);
+            for (int i = 0; i < 60; i += interval) pull(share, interval);
+        }
+        return engine.positions();
+    };
+    const auto expected = positions_after(60);
+    BOOST_TEST((positions_after(10) == expected));
+    BOOST_TEST((positions_after(20) == expected));
+}
+
 BOOST_AUTO_TEST_CASE(a_body_in_equilibrium_stays_where_it_is) {
     const auto model = embody(lattice(6, 3), water(), Parameters{});
     const Environment environment = water();
