@@ -24,7 +24,7 @@ struct Life {
     Vec2d rest;                // centre of mass when the body had come to rest (Eq. 4: x_s, y_s)
     Vec2d end;                 // centre of mass at the end of locomotion (Eq. 4: x_f, y_f)
     double activity = 0;       // b_a of Eq. 5; 0 with oscillators
-    double late_actuation = 0; // Trial::late_actuation
+    double late_actuation = 0; // share of all change of muscle signals in the last quarter of locomotion
     std::vector<Vec2d> path;   // centre of mass every Parameters::path_interval steps, from rest to end
 
     /// |end - rest|, the bare distance; 0 unless viable.
