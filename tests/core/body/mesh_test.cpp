@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "body/mesh.h"
 
+#include "base/random.h"
+#include "body/connect.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -53,6 +56,29 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_in_a_vertex_keep_their_outlines) {
     const auto links = outline(bow);
     BOOST_TEST(links.size() == 6u);
     for (const OutlineLink &link : links) BOOST_TEST(link.solid);
+}
+
+BOOST_AUTO_TEST_CASE(the_outline_of_any_body_is_what_has_not_two_triangles) {
+    Stream random(3, 0, 0, Purpose::sampling);
+    for (int body = 0; body < 50; ++body) {
+        std::vector<Vec2d> positions;
+        for (int cell = 0; cell < 1 + body; ++cell)
+            positions.push_back({6 * random.uniform(), 6 * random.uniform()});
+        const Mesh mesh = connect(positions, 1.5);
+        const std::vector<OutlineLink> links = outline(mesh);
+        std::size_t place = 0;
+        for (const auto &[a, b] : mesh.links) {
+            bool up = false, down = false;
+            for (const Triangle &t : mesh.triangles)
+                for (const auto &[from, to] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
+                    up = up || (from == a && to == b), down = down || (from == b && to == a);
+            if (up && down) continue;
+            BOOST_REQUIRE(place < links.size());
+            const OutlineLink &link = links[place++];
+            BOOST_TEST((link.a == (down ? b : a) && link.b == (down ? a : b) && link.solid == (up || down)));
+        }
+        BOOST_TEST(place == links.size());
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_rim_of_a_hole_is_outline_like_any_other) {
