@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "body/mesh.h"
 
-#include "base/random.h"
 #include "body/connect.h"
+#include "support/points.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -59,12 +59,8 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_in_a_vertex_keep_their_outlines) {
 }
 
 BOOST_AUTO_TEST_CASE(the_outline_of_any_body_is_what_has_not_two_triangles) {
-    Stream random(3, 0, 0, Purpose::sampling);
-    for (int body = 0; body < 50; ++body) {
-        std::vector<Vec2d> positions;
-        for (int cell = 0; cell < 1 + body; ++cell)
-            positions.push_back({6 * random.uniform(), 6 * random.uniform()});
-        const Mesh mesh = connect(positions, 1.5);
+    for (int cells = 1; cells <= 50; ++cells) {
+        const Mesh mesh = connect(test::scatter(cells, 3), 2.5);
         const std::vector<OutlineLink> links = outline(mesh);
         std::size_t place = 0;
         for (const auto &[a, b] : mesh.links) {
