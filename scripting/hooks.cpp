@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "base/text.h"
+#include "experiment/deciding.h"
 #include "scripting/lua_state.h"
 #include "scripting/wrap.h"
 #include "scripting/wrap_life.h"
@@ -111,11 +112,12 @@ class Hooks::Functions {
         self.life_ = luaL_ref(L, LUA_REGISTRYINDEX);
         lua_newtable(L);
         for (const ParameterRow &row : parameter_rows()) {
+            if (!decides_lives(row)) continue;
             lua_pushlstring(L, row.name.data(), row.name.size());
             lua_pushnumber(L, parameter(self.parameters_, row.name));
             lua_rawset(L, -3);
         }
-        freeze(L, "parameters");
+        freeze(L, "parameters", why_not_shown);
         self.shown_parameters_ = luaL_ref(L, LUA_REGISTRYINDEX);
         return 0;
     }

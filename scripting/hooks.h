@@ -7,6 +7,9 @@
 //
 // The behaviour of a setting's `start` is asked beside its penalty for lives that end with development.
 //
+// `parameters` are those that decide lives (experiment/deciding.h): neither the length of a run nor a number of
+// statistics changes how a life is judged.
+//
 // A function that raises an error, or returns something else, makes that individual invalid; it is counted
 // and the run goes on. Functions must not remember anything: a sample of lives is judged a second time in a
 // fresh Lua state, and must be judged alike there.

@@ -155,12 +155,16 @@ int LuaState::start(lua_State *L) {
     lua_pushvalue(L, -4);
     lua_setfield(L, -2, "planula");
 
+    name_library(L);
+
     const Source &main = *self.host_.main;
+    self.host_.loaded.push_back(&main);
     lua_pushcfunction(L, explain);
     lua_pushvalue(L, -1);
     self.explain_ = luaL_ref(L, LUA_REGISTRYINDEX);
     load_source(L, main.text, main.name);
     if (lua_pcall(L, 0, 1, -2) != 0) return lua_error(L);
+    load_inner_modules(L);
     self.result_ = convert(L, main.name + ":" + to_text(line_of_return(main.tokens)));
     return 0;
 }
@@ -175,6 +179,19 @@ std::optional<std::string> LuaState::call(int arguments, const Limits &limits) {
     lua_remove(L, handler);
     if (status == 0) return std::nullopt;
     return take_message();
+}
+
+std::optional<std::string> LuaState::inspect(lua_CFunction code, void *argument) {
+    host_.begin_call({});
+    if (lua_cpcall(raw(), code, argument) == 0) return std::nullopt;
+    return take_message();
+}
+
+bool LuaState::requires_in_functions() const {
+    for (const Source *source : host_.loaded)
+        for (const Requirement &requirement : source->requirements)
+            if (requirement.in_function || requirement.module.empty()) return true;
+    return false;
 }
 
 // The message of the error on the stack, which it removes.

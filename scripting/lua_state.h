@@ -7,6 +7,9 @@
 // Scripts see math (the core's functions), string without patterns, table, ipairs, pairs in ascending key
 // order, tostring, tonumber, type, select, unpack, error, assert, pcall, require and planula; nothing that
 // reads a clock, a file, an address or chance. Library tables and globals are read-only.
+//
+// Modules are loaded while the script runs; those that a function requires by their name are loaded right after.
+// From then on `require` only hands out what is there, so that no call of a function can load anything.
 #pragma once
 
 #include "scripting/sources.h"
@@ -19,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <lua.hpp>
 
@@ -46,7 +50,9 @@ struct Host {
     std::int64_t instructions = 0;
     std::chrono::steady_clock::time_point deadline;
     Exhausted exhausted = Exhausted::no;
-    std::string where; // "name:line: " of the moment of exhaustion
+    std::string where;                  // "name:line: " of the moment of exhaustion
+    std::vector<const Source *> loaded; // by this state: the script, then its modules
+    bool closed = false;                // no further module may be loaded
 
     /// Opens the books for a call.
     void begin_call(const Limits &allowed);
@@ -72,6 +78,11 @@ class LuaState {
     /// Calls the function below `arguments` values on the stack, which it replaces by one result. Returns the
     /// message if that raises an error, and then leaves nothing. Limits apply.
     std::optional<std::string> call(int arguments, const Limits &limits);
+    /// Runs C code that calls no function of the script, with `argument` as its light userdata. Returns the
+    /// message if it raises an error. Limits on memory apply.
+    std::optional<std::string> inspect(lua_CFunction code, void *argument);
+    /// Whether the functions of the script may reach modules by `require`, and not only by what they close over.
+    bool requires_in_functions() const;
     /// Whether the last call ended on a limit, and which.
     Exhausted exhausted() const { return host_.exhausted; }
 

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "evolution/search.h"
 #include "physics/engine.h"
+#include "scripting/meaning.h"
 #include "scripting/reader.h"
 #include "scripting/schema_environment.h"
 #include "scripting/schema_statistics.h"
@@ -65,6 +66,7 @@ class Schema {
 
         // The functions can be tried out once everything that they are shown is right.
         problems_.raise();
+        read_meanings();
         for (const auto *all : {&experiment_.hooks, &start_hooks_})
             for (const auto &hooks : *all) {
                 try {
@@ -186,6 +188,18 @@ class Schema {
         const std::size_t index = experiment_.settings.size() - 1;
         start_hooks_.push_back(
             hooks_of(experiment_.sources, index, spec.parameters, Stage::growth, spec.start->judge));
+    }
+
+    // What the functions of each setting mean.
+    void read_meanings() {
+        Meanings meanings(*experiment_.sources);
+        for (std::size_t i = 0; i < experiment_.settings.size(); ++i) {
+            try {
+                experiment_.settings[i].judgement = meanings.of_setting(i);
+            } catch (const InputError &error) {
+                problems_.add(error.what());
+            }
+        }
     }
 
     void read_statistics_of(Reader &reader) {

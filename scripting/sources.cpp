@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/text.h"
 
 #include <fstream>
 #include <iterator>
@@ -103,6 +104,15 @@ const Source *Sources::named(std::string_view name) const {
     return nullptr;
 }
 
+std::shared_ptr<Sources> Sources::apart() const {
+    const std::shared_ptr<Sources> copy(new Sources);
+    const std::lock_guard lock(mutex_);
+    for (const Source &source : sources_)
+        copy->add(source.module, to_text(static_cast<std::int64_t>(copy->sources_.size())),
+                  functions_apart(source.text, source.tokens));
+    return copy;
+}
+
 const Source &Sources::add(std::string module, std::string name, std::string text) {
     if (!text.empty() && text.front() == '\x1b') throw InputError(name + ": is bytecode, not a text");
     Source &source = sources_.emplace_back();
@@ -111,6 +121,7 @@ const Source &Sources::add(std::string module, std::string name, std::string tex
     source.text = std::move(text);
     source.sha256 = sha256(source.text);
     source.tokens = scan(source.text);
+    source.requirements = requirements_of(source.tokens);
     refuse_machine_dependent(source.tokens, source.name);
     return source;
 }

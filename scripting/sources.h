@@ -12,6 +12,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct Source {
     std::string text;
     std::string sha256;
     std::vector<Token> tokens; // words of `text`
+    std::vector<Requirement> requirements;
 };
 
 class Sources {
@@ -43,8 +45,12 @@ class Sources {
     const Source *named(std::string_view name) const;
     /// Not while another thread runs a script.
     const std::deque<Source> &all() const { return sources_; }
+    /// The sources read so far, in their order, with all functions on lines of their own (functions_apart()) and
+    /// named by their number from 0: a line number of a function tells which one it is.
+    std::shared_ptr<Sources> apart() const;
 
   private:
+    Sources() = default;
     const Source &add(std::string module, std::string name, std::string text);
 
     std::vector<std::filesystem::path> folders_;

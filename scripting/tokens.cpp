@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace planula {
@@ -125,6 +126,10 @@ bool is_symbol(const Token &token, std::string_view word) {
     return token.kind == Token::Kind::symbol && token.word == word;
 }
 
+bool is_name(const Token &token, std::string_view word) {
+    return token.kind == Token::Kind::name && token.word == word;
+}
+
 // +1 where a bracket or a block opens, -1 where one closes, else 0.
 int nesting(const Token &token) {
     const auto one_of = [&](std::initializer_list<std::string_view> words) {
@@ -193,6 +198,22 @@ std::optional<int> line_of_mention(std::span<const Token> tokens, std::size_t op
     return std::nullopt;
 }
 
+// A text that may name a module, and needs no reading of escapes.
+bool is_plain_name(const Token &token) {
+    const auto plain = [](char c) { return is_letter(c) || is_digit(c) || c == '.' || c == '/'; };
+    return token.kind == Token::Kind::text && std::all_of(token.word.begin(), token.word.end(), plain);
+}
+
+// The module that the `require` at `place` names; empty if it is computed.
+std::string_view module_at(std::span<const Token> tokens, std::size_t place) {
+    const auto token = [&](std::size_t offset) {
+        return place + offset < tokens.size() ? tokens[place + offset] : Token{};
+    };
+    if (is_plain_name(token(1))) return token(1).word;
+    const bool in_brackets = is_symbol(token(1), "(") && is_plain_name(token(2)) && is_symbol(token(3), ")");
+    return in_brackets ? token(2).word : "";
+}
+
 bool is_foreign_number(std::string_view word) {
     const bool hexadecimal = word.size() > 1 && (word[1] == 'x' || word[1] == 'X');
     const char last = word.back();
@@ -217,6 +238,53 @@ void refuse_machine_dependent(std::span<const Token> tokens, std::string_view na
     }
 }
 
+std::vector<Requirement> requirements_of(std::span<const Token> tokens) {
+    std::vector<Requirement> found;
+    std::vector<bool> open; // brackets and blocks: is it a function's?
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const int change = nesting(tokens[i]);
+        if (change > 0) open.push_back(is_name(tokens[i], "function"));
+        if (change < 0 && !open.empty()) open.pop_back();
+        const bool is_field = i > 0 && (is_symbol(tokens[i - 1], ".") || is_symbol(tokens[i - 1], ":"));
+        if (!is_name(tokens[i], "require") || is_field) continue;
+        const bool in_function = std::find(open.begin(), open.end(), true) != open.end();
+        found.push_back({std::string(module_at(tokens, i)), tokens[i].line, in_function});
+    }
+    return found;
+}
+
+std::string functions_apart(std::string_view source, std::span<const Token> tokens) {
+    std::string text;
+    std::size_t done = 0;
+    for (const Token &token : tokens) {
+        if (!is_name(token, "function")) continue;
+        const auto place = static_cast<std::size_t>(token.word.data() - source.data());
+        text.append(source.substr(done, place - done)).append("\n");
+        done = place;
+    }
+    return text.append(source.substr(done));
+}
+
+std::size_t function_before(std::span<const Token> tokens, int line) {
+    std::size_t found = tokens.size();
+    for (std::size_t i = 0; i < tokens.size() && tokens[i].line <= line; ++i)
+        if (is_name(tokens[i], "function")) found = i;
+    return found;
+}
+
+std::vector<Token> body_of_function(std::span<const Token> tokens, std::size_t place) {
+    const std::size_t end = closing(tokens, place);
+    std::vector<Token> body;
+    // A colon in the name is the parameter `self`.
+    for (++place; place < end && !is_symbol(tokens[place], "("); ++place)
+        if (is_symbol(tokens[place], ":")) body.push_back(tokens[place]);
+    for (; place < end; ++place) {
+        const bool is_separator = is_symbol(tokens[place], ",") || is_symbol(tokens[place], ";");
+        if (!is_separator || !is_symbol(tokens[place + 1], "}")) body.push_back(tokens[place]);
+    }
+    return body;
+}
+
 int line_of_entry(std::span<const Token> tokens, int line, std::span<const Step> path) {
     std::size_t open = 0;
     while (open < tokens.size() && tokens[open].line < line) ++open;
@@ -234,7 +302,7 @@ int line_of_entry(std::span<const Token> tokens, int line, std::span<const Step>
 int line_of_return(std::span<const Token> tokens) {
     int line = 1, depth = 0;
     for (const Token &token : tokens) {
-        if (depth == 0 && token.kind == Token::Kind::name && token.word == "return") line = token.line;
+        if (depth == 0 && is_name(token, "return")) line = token.line;
         depth += nesting(token);
     }
     return line;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script
-// runs, and to find the line on which a key of a table constructor is stated. It does not parse Lua; LuaJIT
-// does.
+// runs, and to find the line on which a key of a table constructor is stated, a function, and the modules that
+// it requires. It does not parse Lua; LuaJIT does.
 #pragma once
 
 #include <span>
@@ -25,6 +25,23 @@ std::vector<Token> scan(std::string_view source);
 /// Throws InputError "name:line: …" at the first word whose meaning depends on the machine: `^`, whose
 /// result comes from the C library, and 64-bit or imaginary number literals, which belong to the FFI.
 void refuse_machine_dependent(std::span<const Token> tokens, std::string_view name);
+
+/// A `require` in a source.
+struct Requirement {
+    std::string module; // as written; empty: computed, or handed on as a value
+    int line = 0;
+    bool in_function = false; // and not run once, when the source is
+};
+std::vector<Requirement> requirements_of(std::span<const Token> tokens);
+
+/// The source with a line feed before each word `function`, so that no two functions begin on one line.
+std::string functions_apart(std::string_view source, std::span<const Token> tokens);
+
+/// The place of the last word `function` on or before `line`; the number of tokens if there is none.
+std::size_t function_before(std::span<const Token> tokens, int line);
+/// What the function at that place computes: its parameters and its body, without its name. A separator before
+/// a closing brace is left out.
+std::vector<Token> body_of_function(std::span<const Token> tokens, std::size_t place);
 
 /// One step into a table constructor: by name, or, if the name is empty, by position from 1.
 struct Step {

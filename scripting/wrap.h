@@ -22,9 +22,22 @@ void wrap_planula(lua_State *L);
 /// Registers the type of `life` (wrap_life.cpp).
 void wrap_life(lua_State *L);
 
+/// Why a read-only table does not have a name; "" if that is all there is to say.
+using WhyAbsent = std::string (*)(std::string_view name);
+
 /// Replaces the table on the stack by a read-only view of it: a write, or the reading of a name that it does
 /// not have, is an error that calls it `name`.
-void freeze(lua_State *L, const char *name);
+void freeze(lua_State *L, const char *name, WhyAbsent why = nullptr);
+
+/// Loads the modules that functions require by name, and closes the state to further ones. Raises if one fails.
+void load_inner_modules(lua_State *L);
+
+/// Keeps in the registry, as the table `library_names`, what scripts call each function and table of the library:
+/// library_names[value] = "math.sqrt". The rest of what a script holds is its own.
+void name_library(lua_State *L);
+inline const char *const library_names = "library names";
+/// The modules of the state by name, a table of the registry.
+inline const char *const modules = "modules";
 
 /// Compiles a source with the sandbox's globals; leaves the function, or raises.
 void load_source(lua_State *L, std::string_view text, const std::string &name);

@@ -130,10 +130,11 @@ int guarded_pcall(lua_State *L) {
 }
 
 int require(lua_State *L) {
-    const char *name = luaL_checkstring(L, 1);
+    std::size_t size = 0;
+    const char *name = luaL_checklstring(L, 1, &size);
     const Source *source = nullptr;
     try {
-        source = &host_of(L).sources->module(name);
+        source = &host_of(L).sources->module({name, size});
     } catch (const std::exception &error) {
         lua_pushstring(L, error.what());
     }
@@ -145,11 +146,15 @@ int require(lua_State *L) {
     }
 
     // Each module runs once; one that requires itself has no end.
-    luaL_findtable(L, LUA_REGISTRYINDEX, "modules", 1);
+    luaL_findtable(L, LUA_REGISTRYINDEX, modules, 1);
     lua_getfield(L, -1, source->module.c_str());
     if (lua_type(L, -1) == LUA_TSTRING) return luaL_error(L, "module '%s' requires itself", name);
     if (!lua_isnil(L, -1)) return 1;
     lua_pop(L, 1);
+    if (host_of(L).closed)
+        return luaL_error(L, "module '%s' is not loaded; write outside of functions: require '%s'", name,
+                          name);
+    host_of(L).loaded.push_back(source);
     lua_pushstring(L, being_loaded);
     lua_setfield(L, -2, source->module.c_str());
     load_source(L, source->text, source->name);
@@ -158,6 +163,32 @@ int require(lua_State *L) {
     lua_pushvalue(L, -1);
     lua_setfield(L, -3, source->module.c_str());
     return 1;
+}
+
+const char *message_of(lua_State *L, int error) {
+    const char *said = lua_tostring(L, error);
+    return said ? said : "an error that is not a text";
+}
+
+// Names the functions of the read-only view at the top, and the tables of the globals, in the table below it.
+void name_entries(lua_State *L, const char *owner) {
+    const int names = lua_gettop(L) - 1;
+    luaL_getmetafield(L, -1, "__index");
+    for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) {
+        const bool is_part = lua_istable(L, -1) && *owner == '\0';
+        if (!lua_isfunction(L, -1) && !is_part) continue;
+        lua_pushvalue(L, -1);
+        lua_pushfstring(L, "%s%s", owner, lua_tostring(L, -3));
+        lua_rawset(L, names);
+        if (!is_part) continue;
+        lua_pushvalue(L, names);
+        lua_pushvalue(L, -2);
+        lua_pushfstring(L, "%s.", lua_tostring(L, -4));
+        lua_insert(L, -3);
+        name_entries(L, lua_tostring(L, -3));
+        lua_pop(L, 3);
+    }
+    lua_pop(L, 1);
 }
 
 // Upvalue: what the frozen table is called.
@@ -170,10 +201,11 @@ int refuse_write(lua_State *L) {
     return luaL_error(L, "%s.%s cannot be changed", name, lua_tostring(L, 2));
 }
 
-// Upvalue: what the frozen table is called; the argument is the table behind the view.
+// Upvalues: what the frozen table is called, and a WhyAbsent or nil; the argument is the table behind the view.
 int refuse_read(lua_State *L) {
     return raise(L, [&] {
         const std::string_view name = lua_tostring(L, lua_upvalueindex(1));
+        const auto why = reinterpret_cast<WhyAbsent>(lua_touserdata(L, lua_upvalueindex(2)));
         std::vector<std::string> known;
         for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1))
             if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
@@ -181,17 +213,22 @@ int refuse_read(lua_State *L) {
         const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
         const std::string what = name == "a global" ? "nothing is called '" + key + "'"
                                                     : std::string(name) + " has no '" + key + "'";
-        return what + suggestion(key, known);
+        const std::string reason = why ? why(key) : "";
+        return what + (reason.empty() ? suggestion(key, known) : ": " + reason);
     });
 }
 
 } // namespace
 
-void freeze(lua_State *L, const char *name) {
+void freeze(lua_State *L, const char *name, WhyAbsent why) {
     // Behind the view, the table itself answers for names that it lacks.
     lua_createtable(L, 0, 1);
     lua_pushstring(L, name);
-    lua_pushcclosure(L, refuse_read, 1);
+    if (why)
+        lua_pushlightuserdata(L, reinterpret_cast<void *>(why));
+    else
+        lua_pushnil(L);
+    lua_pushcclosure(L, refuse_read, 2);
     lua_setfield(L, -2, "__index");
     lua_setmetatable(L, -2);
 
@@ -206,6 +243,31 @@ void freeze(lua_State *L, const char *name) {
     lua_setfield(L, -2, "__metatable");
     lua_setmetatable(L, -2);
     lua_remove(L, -2);
+}
+
+void load_inner_modules(lua_State *L) {
+    Host &host = host_of(L);
+    // A module that is loaded here may have functions that require others.
+    for (std::size_t i = 0; i < host.loaded.size(); ++i) {
+        const Source &source = *host.loaded[i];
+        for (const Requirement &inner : source.requirements) {
+            if (!inner.in_function || inner.module.empty()) continue;
+            lua_pushcfunction(L, require);
+            lua_pushstring(L, inner.module.c_str());
+            if (lua_pcall(L, 1, 1, 0) != 0)
+                luaL_error(L, "%s:%d: %s", source.name.c_str(), inner.line, message_of(L, -1));
+            lua_pop(L, 1);
+        }
+    }
+    host.closed = true;
+}
+
+void name_library(lua_State *L) {
+    lua_newtable(L);
+    lua_getfield(L, LUA_REGISTRYINDEX, "globals");
+    name_entries(L, "");
+    lua_pop(L, 1);
+    lua_setfield(L, LUA_REGISTRYINDEX, library_names);
 }
 
 void load_source(lua_State *L, std::string_view text, const std::string &name) {

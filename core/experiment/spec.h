@@ -24,6 +24,14 @@ struct Start {
     Judge judge;
 };
 
+/// A function of the judge by what it computes: equal hashes judge every life alike. A function's text without
+/// comments and layout decides, and whatever it reaches: values, tables, other functions.
+struct FunctionMeaning {
+    std::string name;   // "fitness", "penalty", "behaviour", "start.behaviour"
+    std::string sha256; // of the meaning
+    std::string place;  // "file.lua:12", for messages; no part of the meaning
+};
+
 /// The conditions of every life, and how evolution goes. `parameters` hold population, generations and all else.
 struct Spec : Conditions {
     std::string name;            // of the setting: file-name characters, unique in its experiment
@@ -31,6 +39,8 @@ struct Spec : Conditions {
     std::string search = "neat"; // a name of make_search()
     Judge judge;                 // called on the main thread, in slot order
     std::optional<Start> start;  // none: generation 0 is random
+    std::vector<FunctionMeaning>
+        judgement; // what decides the results of `judge` and of the start's; may be empty
 };
 
 /// The networks that animats with this actuation have.

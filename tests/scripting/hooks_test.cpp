@@ -61,6 +61,22 @@ BOOST_AUTO_TEST_CASE(a_hook_sees_the_parameters_of_its_setting) {
     BOOST_TEST(hooks.judge(life_at(1)).fitness == 99);
 }
 
+BOOST_AUTO_TEST_CASE(a_hook_sees_no_parameter_that_decides_no_life) {
+    const auto reading = [](const std::string &name) {
+        return trial("fitness = function(life, parameters) return parameters." + name + " end");
+    };
+    BOOST_TEST(reading("population") == "");
+    BOOST_TEST(test::contains(reading("confidence"),
+                              "test.lua:4: parameters has no 'confidence': statistics alone read it"),
+               reading("confidence"));
+    for (const char *name : {"seeds", "generations"})
+        BOOST_TEST(test::contains(reading(name), "': how much is run must not change how a life is judged"));
+    // Neither does walking through all of them.
+    BOOST_TEST(
+        fitness_of("(function() local n = 0 for name in pairs(parameters) do if name == 'seeds' or name "
+                   "== 'generations' or name == 'confidence' then n = n + 1 end end return n end)()") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_misspelt_field_is_found_before_the_start) {
     const std::string message = trial("fitness = function(life) return life.displacment end");
     BOOST_TEST(test::contains(message, "test.lua:4: life has no 'displacment'; did you mean 'displacement'?"),

@@ -196,6 +196,26 @@ BOOST_AUTO_TEST_CASE(a_module_runs_once_and_must_return_a_table) {
     BOOST_TEST(value_of("require 'paper.judgement' == require 'paper/judgement'").boolean);
 }
 
+BOOST_AUTO_TEST_CASE(modules_that_functions_require_are_loaded_before_any_call) {
+    const auto sources = test::script("return { f = function(x) return require 'descriptors'.shape(x) end,\n"
+                                      "g = function(name) local m = require(name) return m end }");
+    LuaState state(sources, sources->script());
+    BOOST_TEST(sources->all().size() == 2u);
+    BOOST_TEST(state.requires_in_functions());
+    const auto called = [&](const char *name) {
+        lua_rawgeti(state.raw(), LUA_REGISTRYINDEX, state.result().find("g")->function);
+        lua_pushstring(state.raw(), name);
+        return state.call(1, {}).value_or("");
+    };
+    BOOST_TEST(called("descriptors") == "");
+    BOOST_TEST(called("paper") ==
+               "test.lua:2: module 'paper' is not loaded; write outside of functions: require 'paper'");
+    BOOST_TEST(test::contains(failure("local f = function()\nreturn require 'nowhere' end return {}"),
+                              "test.lua:2: no module 'nowhere'"));
+    const auto plain = test::script("local paper = require 'paper' return {}");
+    BOOST_TEST(!LuaState(plain, plain->script()).requires_in_functions());
+}
+
 BOOST_AUTO_TEST_CASE(a_table_knows_the_line_of_the_script_that_made_it) {
     const auto sources = test::script("local p = require 'paper'\n"
                                       "local world =\n"

@@ -1,33 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "scripting/sources.h"
 
+#include "support/folder.h"
 #include "support/scripts.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <fstream>
-
-#include <unistd.h>
-
 using namespace planula;
 
-namespace {
-
-struct Folder {
-    Folder() { std::filesystem::remove_all(path), std::filesystem::create_directories(path / "deep" / "er"); }
-    ~Folder() { std::filesystem::remove_all(path); }
-    void write(const std::string &name, const std::string &text) const {
-        std::filesystem::create_directories((path / name).parent_path());
-        std::ofstream(path / name) << text;
-    }
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("planula-sources-" + std::to_string(getpid()));
-};
-
-} // namespace
-
 BOOST_AUTO_TEST_CASE(a_module_is_looked_for_beside_the_script_then_above_then_in_the_library) {
-    const Folder folder;
+    const test::Folder folder;
     folder.write("deep/er/script.lua", "return {}");
     folder.write("library/thing.lua", "return { 3 }");
     Sources first(folder.path / "deep/er/script.lua", folder.path / "library");
@@ -41,7 +23,7 @@ BOOST_AUTO_TEST_CASE(a_module_is_looked_for_beside_the_script_then_above_then_in
 }
 
 BOOST_AUTO_TEST_CASE(a_source_is_read_once_whatever_happens_to_the_file) {
-    const Folder folder;
+    const test::Folder folder;
     folder.write("script.lua", "return {}");
     folder.write("part.lua", "return { 1 }");
     Sources sources(folder.path / "script.lua", folder.path);
@@ -49,6 +31,24 @@ BOOST_AUTO_TEST_CASE(a_source_is_read_once_whatever_happens_to_the_file) {
     folder.write("part.lua", "return { 2 }");
     BOOST_TEST(sources.module("part").text == "return { 1 }");
     BOOST_TEST(sources.all().size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(sources_apart_are_the_same_words_with_functions_on_lines_of_their_own) {
+    const auto sources =
+        test::script("local f, g = function() return 'function' end, function() -- function\nend");
+    sources->module("descriptors");
+    const auto apart = sources->apart();
+    BOOST_REQUIRE_EQUAL(apart->all().size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto &words = sources->all()[i].tokens, &same = apart->all()[i].tokens;
+        BOOST_REQUIRE_EQUAL(words.size(), same.size());
+        for (std::size_t word = 0; word < words.size(); ++word)
+            BOOST_TEST(words[word].word == same[word].word);
+    }
+    BOOST_TEST(apart->script().text ==
+               "local f, g = \nfunction() return 'function' end, \nfunction() -- function\nend");
+    BOOST_TEST(apart->script().name == "0");
+    BOOST_TEST(apart->module("descriptors").name == "1");
 }
 
 BOOST_AUTO_TEST_CASE(only_safe_names_are_looked_for) {
@@ -63,7 +63,8 @@ BOOST_AUTO_TEST_CASE(only_safe_names_are_looked_for) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_script_is_refused_by_name) {
-    const Folder folder;
+    const test::Folder folder;
+    folder.write("deep/file.lua", "");
     folder.write("large.lua", std::string((1 << 20) + 1, ' '));
     const auto refused = [&](const std::string &name) {
         return test::refusal([&] { Sources(folder.path / name, folder.path); });

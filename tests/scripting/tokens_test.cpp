@@ -84,6 +84,31 @@ BOOST_AUTO_TEST_CASE(the_line_of_a_key_is_found_through_nested_tables) {
     BOOST_TEST(line_of_entry(tokens, 99, drag) == 99);
 }
 
+BOOST_AUTO_TEST_CASE(a_requirement_names_its_module_or_is_computed) {
+    const auto tokens =
+        scan("local a = require 'a'\nlocal b = require(\"b.c\")\n"
+             "local function f(x) if x then return require 'd' end return require(x) end\n"
+             "require('e' .. a) x.require 'f' require [[g]] require 'h\\n' pcall(require, 'i')");
+    std::string all;
+    for (const Requirement &found : requirements_of(tokens))
+        all += found.module + ":" + std::to_string(found.line) + (found.in_function ? "f " : " ");
+    BOOST_TEST(all == "a:1 b.c:2 d:3f :3f :4 :4 :4 :4 ");
+}
+
+BOOST_AUTO_TEST_CASE(a_function_is_its_parameters_and_its_body) {
+    const auto tokens = scan("local function f(a) -- f\n  return { a, 1, }\nend\nx.y = function() end");
+    const auto body = [&](int line) {
+        std::string all;
+        for (const Token &token : body_of_function(tokens, function_before(tokens, line)))
+            all += std::string(token.word) + " ";
+        return all;
+    };
+    BOOST_TEST(body(1) == "( a ) return { a , 1 } ");
+    BOOST_TEST(body(3) == body(1));
+    BOOST_TEST(body(4) == "( ) ");
+    BOOST_TEST(function_before(scan("x = 1"), 1) == 3u);
+}
+
 BOOST_AUTO_TEST_CASE(the_last_return_outside_all_blocks_is_found) {
     BOOST_TEST(line_of_return(scan(
                    "local function f()\n return 1\nend\nreturn {\n f = function() return 2 end }")) == 4);

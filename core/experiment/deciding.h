@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Which parameters decide what a run does in a generation, and which only say how much is done or how results are
+// read: two runs that differ in the latter alone are the same run. The judge is shown the former only.
+#pragma once
+
+#include "parameters/parameters.h"
+
+#include <string>
+
+namespace planula {
+
+/// False for the number of seeds and of generations, and for what statistics alone read.
+bool decides_lives(const ParameterRow &row);
+
+/// Why the judge is not shown a parameter, as the end of a sentence; "" for one that it is shown, or for a name
+/// that no parameter has.
+std::string why_not_shown(std::string_view name);
+
+} // namespace planula
