@@ -30,10 +30,9 @@ int explain(lua_State *L) {
     bool placed = false;
     {
         const char *said = lua_tostring(L, 1);
-        const std::string place = position(L), message = said ? said : "an error that is not a text";
-        const std::string_view file = std::string_view(place).substr(0, place.find(':') + 1);
-        placed = !file.empty() && message.starts_with(file);
-        if (!placed) lua_pushstring(L, (place + message).c_str());
+        const std::string message = said ? said : "an error that is not a text";
+        placed = host_of(L).place_in(message) > 0;
+        if (!placed) lua_pushstring(L, (position(L) + message).c_str());
     }
     if (placed) lua_settop(L, 1);
     return 1;
@@ -87,6 +86,18 @@ void Host::spend(lua_State *L, std::int64_t work) {
     if (exhausted != Exhausted::no) luaL_error(L, "the script exceeds its limits");
 }
 
+std::size_t Host::place_in(std::string_view said) const {
+    const auto of = [&](std::string_view name) -> std::size_t {
+        if (!said.starts_with(name) || said.substr(name.size(), 1) != ":") return 0;
+        const std::size_t end = said.find_first_not_of("0123456789", name.size() + 1);
+        const bool is_place = end != said.npos && end > name.size() + 1 && said.substr(end, 2) == ": ";
+        return is_place ? end + 2 : 0;
+    };
+    for (const Source *source : loaded)
+        if (const std::size_t length = of(source->name)) return length;
+    return of("planula.lua");
+}
+
 std::string Host::message() const {
     switch (exhausted) {
     case Exhausted::instructions:
@@ -121,7 +132,8 @@ LuaState::LuaState(std::shared_ptr<Sources> sources, const Source &main, const L
     lua_State *L = host_.state = state_.get();
     luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
     lua_sethook(L, count, LUA_MASKCOUNT, instructions_between_checks);
-    if (lua_cpcall(L, start, this) != 0) throw InputError(take_message());
+    if (lua_cpcall(L, start, this) == 0) return;
+    throw InputError(take_message(main.name + ":" + to_text(line_of_return(main.tokens)) + ": "));
 }
 
 // Everything that may raise, from the first library to the tree of the result, in protected mode.
@@ -172,19 +184,25 @@ int LuaState::start(lua_State *L) {
 std::optional<std::string> LuaState::call(int arguments, const Limits &limits) {
     lua_State *L = raw();
     host_.begin_call(limits);
-    const int handler = lua_gettop(L) - arguments;
+    // The function stays below its call, to say where it stands.
+    const int function = lua_gettop(L) - arguments;
+    lua_pushvalue(L, function);
     lua_rawgeti(L, LUA_REGISTRYINDEX, explain_);
-    lua_insert(L, handler);
-    const int status = lua_pcall(L, arguments, 1, handler);
-    lua_remove(L, handler);
-    if (status == 0) return std::nullopt;
-    return take_message();
+    lua_insert(L, function);
+    lua_insert(L, function);
+    const int status = lua_pcall(L, arguments, 1, function + 1);
+    lua_remove(L, function + 1);
+    lua_insert(L, function);
+    if (status == 0) return lua_pop(L, 1), std::nullopt;
+    lua_Debug stated;
+    lua_getinfo(L, ">S", &stated);
+    return take_message(std::string(stated.short_src) + ":" + to_text(stated.linedefined) + ": ");
 }
 
-std::optional<std::string> LuaState::inspect(lua_CFunction code, void *argument) {
-    host_.begin_call({});
+std::optional<std::string> LuaState::inspect(lua_CFunction code, void *argument, const Limits &limits) {
+    host_.begin_call(limits);
     if (lua_cpcall(raw(), code, argument) == 0) return std::nullopt;
-    return take_message();
+    return take_message("");
 }
 
 bool LuaState::requires_in_functions() const {
@@ -194,14 +212,14 @@ bool LuaState::requires_in_functions() const {
     return false;
 }
 
-// The message of the error on the stack, which it removes.
-std::string LuaState::take_message() {
+// The message of the error on the stack, which it removes; `place` goes in front of one that has none.
+std::string LuaState::take_message(const std::string &place) {
     const char *said = lua_tostring(raw(), -1);
     const std::string message = host_.exhausted != Exhausted::no ? host_.message()
                                 : said                           ? said
                                                                  : "an error that is not a text";
     lua_pop(raw(), 1);
-    return message;
+    return host_.place_in(message) > 0 ? message : place + message;
 }
 
 } // namespace planula

@@ -60,6 +60,8 @@ struct Host {
     void spend(lua_State *L, std::int64_t work);
     void exhaust(Exhausted what);
     std::string message() const;
+    /// The length of the "name:line: " that a message begins with; 0 if it names no source of this state.
+    std::size_t place_in(std::string_view said) const;
 };
 
 Host &host_of(lua_State *L);
@@ -79,8 +81,8 @@ class LuaState {
     /// message if that raises an error, and then leaves nothing. Limits apply.
     std::optional<std::string> call(int arguments, const Limits &limits);
     /// Runs C code that calls no function of the script, with `argument` as its light userdata. Returns the
-    /// message if it raises an error. Limits on memory apply.
-    std::optional<std::string> inspect(lua_CFunction code, void *argument);
+    /// message if it raises an error. The limits on memory apply.
+    std::optional<std::string> inspect(lua_CFunction code, void *argument, const Limits &limits);
     /// Whether the functions of the script may reach modules by `require`, and not only by what they close over.
     bool requires_in_functions() const;
     /// Whether the last call ended on a limit, and which.
@@ -91,7 +93,7 @@ class LuaState {
         void operator()(lua_State *L) const { lua_close(L); }
     };
     static int start(lua_State *L);
-    std::string take_message();
+    std::string take_message(const std::string &place);
 
     std::shared_ptr<Sources> sources_;
     Host host_; // outlives state_, whose memory it counts

@@ -19,6 +19,8 @@ namespace {
 
 constexpr int most_values = 200000;
 constexpr std::size_t most_text = 64u << 20; // bytes
+// More than the script has otherwise, for the list of what it holds.
+constexpr Limits roomy{.memory = 128u << 20, .allocated = 1024u << 20};
 
 // Numbers first, ascending; then names by their bytes; then false and true.
 struct Key {
@@ -61,7 +63,7 @@ class Walk {
         const std::string place = place_of(origin);
         if (!origin)
             problem_ = "is a function of the library, not of a script";
-        else if (const auto message = lua_.inspect(run, this))
+        else if (const auto message = lua_.inspect(run, this, roomy))
             problem_ = "cannot be read: " + *message;
         if (!problem_.empty()) throw InputError(place + ": " + name + " " + problem_);
         return {name, hash_.hex(), place};
@@ -280,7 +282,7 @@ class Walk {
 } // namespace
 
 Meanings::Meanings(const Sources &sources)
-    : sources_(sources), apart_(sources.apart()), lua_(apart_, apart_->script()) {}
+    : sources_(sources), apart_(sources.apart()), lua_(apart_, apart_->script(), roomy) {}
 
 std::vector<FunctionMeaning> Meanings::of_setting(std::size_t index) {
     const Value *settings = lua_.result().find("settings");

@@ -119,11 +119,26 @@ int text_of(lua_State *L) {
     return 1;
 }
 
-// pcall that gives an exceeded limit on to its caller.
+// Takes from the message at the top what depends on where the script stands and on the machine: the names and lines
+// in front, and the folders that `require` tells below its first line.
+void strip_places(lua_State *L) {
+    if (lua_type(L, -1) != LUA_TSTRING) return;
+    std::size_t size = 0;
+    const char *text = lua_tolstring(L, -1, &size);
+    std::string_view said(text, size);
+    while (const std::size_t length = host_of(L).place_in(said)) said.remove_prefix(length);
+    if (said.starts_with("no module '")) said = said.substr(0, said.find(';'));
+    lua_pushlstring(L, said.data(), said.size());
+    lua_replace(L, -2);
+}
+
+// pcall that gives an exceeded limit on to its caller, and shows a message without its place: neither a line nor the
+// name of a file may decide anything.
 int guarded_pcall(lua_State *L) {
     luaL_checkany(L, 1);
     const int status = lua_pcall(L, lua_gettop(L) - 1, LUA_MULTRET, 0);
     if (host_of(L).exhausted != Exhausted::no) return luaL_error(L, "the script exceeds its limits");
+    if (status != 0) strip_places(L);
     lua_pushboolean(L, status == 0);
     lua_insert(L, 1);
     return lua_gettop(L);

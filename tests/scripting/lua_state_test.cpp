@@ -147,6 +147,38 @@ BOOST_AUTO_TEST_CASE(pcall_catches_errors_but_no_exceeded_limit) {
     BOOST_TEST(test::contains(failure(hoard), "holds too much memory (limit: 64 MB)"));
 }
 
+BOOST_AUTO_TEST_CASE(a_caught_error_shows_no_place) {
+    const auto caught = [](const std::string &call) { return text_of("select(2, pcall(" + call + "))"); };
+    BOOST_TEST(caught("function() error('x') end") == "x");
+    BOOST_TEST(caught("function() error('test.lua') end") == "test.lua");
+    BOOST_TEST(caught("function() local x = nil + 1 end") == "attempt to perform arithmetic on a nil value");
+    BOOST_TEST(caught("planula.fill, 5") == "planula.fill takes a table, got number");
+    BOOST_TEST(caught("function() error(select(2, pcall(error, 'test.lua:5: test.lua:6: x'))) end") == "x");
+    BOOST_TEST(caught("require, 'nowhere'") == "no module 'nowhere'");
+    BOOST_TEST(value_of("select(2, pcall(error))").is(Value::Kind::nil));
+}
+
+BOOST_AUTO_TEST_CASE(an_error_without_a_lua_function_is_told_where_the_call_began) {
+    BOOST_TEST(test::contains(failure("\nreturn math.sqrt('x')"), "test.lua:2: bad argument"));
+    BOOST_TEST(test::contains(failure("\nreturn unpack({}, 1, 1e7)"), "test.lua:2: too many results"));
+    BOOST_TEST(
+        test::contains(failure("local f = function(...) return f(unpack({}, 1, 7000), ...) end return f()"),
+                       "test.lua:1: "));
+    const auto sources = test::script("\nreturn { f = function(x)\nreturn math.sqrt(x) end }");
+    LuaState state(sources, sources->script());
+    for (const double good : {1.0, 0.0}) {
+        lua_rawgeti(state.raw(), LUA_REGISTRYINDEX, state.result().find("f")->function);
+        if (good > 0)
+            lua_pushnumber(state.raw(), good);
+        else
+            lua_pushnil(state.raw());
+        const std::string message = state.call(1, {}).value_or("none");
+        BOOST_TEST(message.substr(0, 25) == (good > 0 ? "none" : "test.lua:2: bad argument "));
+        BOOST_TEST(lua_gettop(state.raw()) == (good > 0 ? 1 : 0));
+        lua_settop(state.raw(), 0);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(memory_is_capped_at_its_limit_and_not_far_below) {
     BOOST_TEST(number_of("#('x'):rep(20e6)") == 20e6);
     BOOST_TEST(test::contains(failure("local t = {} for i = 1, 7 do t[i] = (tostring(i)):rep(10e6) end"),
