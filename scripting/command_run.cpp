@@ -159,6 +159,7 @@ class RunCommand {
             writer.keep(state, hooks.memory());
             throw;
         }
+        hooks.check_unchanged();
         writer.finish();
         progress.tell(name + ": done, best " + to_fixed(writer.best_fitness(), 2) + ", " + known.text());
         if (hooks.invalid() > 0)

@@ -6,12 +6,16 @@
 #include "base/state.h"
 #include "base/text.h"
 #include "experiment/deciding.h"
+#include "scripting/captures.h"
 #include "scripting/lua_state.h"
 #include "scripting/wrap.h"
 #include "scripting/wrap_life.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 namespace planula {
 
@@ -21,6 +25,11 @@ constexpr std::size_t longest_behaviour = 16;
 constexpr double largest = 1e100; // fitness and behaviour beyond this would overflow sums and squares
 // Every call is judged twice whose number is a power of two, or a multiple of this one.
 constexpr std::int64_t calls_between_samples = 1024;
+// What the functions close over is looked at after every call up to so many values, and else so much more rarely, but
+// at least once in so many calls. Looking at a value takes 20 ns, a life milliseconds.
+constexpr int values_for_each_call = 64;
+constexpr int most_calls_unseen = 256;
+constexpr const char *rule_of_captures = " what it closes over: a life must be judged by itself alone";
 constexpr Limits limits_of_a_call{
     .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};
 
@@ -79,6 +88,8 @@ class Hooks::Functions {
             *reference = function->function;
         }
         CHECK(lua_cpcall(lua_.raw(), prepare, this) == 0);
+        captures_.emplace(lua_, std::array{penalty_, fitness_, behaviour_});
+        interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unseen);
     }
 
     /// "file:line: " of the function of that name.
@@ -94,6 +105,17 @@ class Hooks::Functions {
 
     /// The length of the run's behaviours; 0 until one is seen.
     std::size_t &length() { return length_; }
+
+    /// How many calls there are from one look at what the functions close over to the next.
+    int interval() const { return interval_; }
+
+    void check_unchanged() {
+        if (!captures_->changed()) return;
+        const bool whole = stage_ == Stage::life;
+        throw InputError(where("penalty") +
+                         (whole ? "penalty, fitness or behaviour" : "penalty or behaviour") + " changes" +
+                         rule_of_captures);
+    }
 
     Verdict judge(const Life &life) {
         slot_->life = &life;
@@ -149,6 +171,8 @@ class Hooks::Functions {
         lua_rawgeti(L, LUA_REGISTRYINDEX, shown_parameters_);
         if (penalty) lua_pushnumber(L, *penalty);
         const auto message = lua_.call(penalty ? 3 : 2, limits_of_a_call);
+        if (interval_ == 1 && captures_->changed())
+            throw InputError(where(name) + name + " changes" + rule_of_captures);
         if (!message) return true;
         verdict.problem = *message + " (in " + name + ")";
         verdict.wrong_kind = true;
@@ -209,6 +233,8 @@ class Hooks::Functions {
     LifeSlot *slot_ = nullptr;
     int penalty_ = 0, fitness_ = 0, behaviour_ = 0; // references of lua_
     int life_ = 0, shown_parameters_ = 0;
+    std::optional<Captures> captures_;
+    int interval_ = 1;
     std::size_t length_ = 0;
 };
 
@@ -237,7 +263,10 @@ void Hooks::continue_run(const std::string &memory) {
     reader.done();
 }
 
+void Hooks::check_unchanged() const { functions_->check_unchanged(); }
+
 std::string Hooks::memory() const {
+    check_unchanged();
     StateWriter writer;
     writer.group("judge").integer(static_cast<std::int64_t>(functions_->length()));
     writer.integer(calls_).integer(invalid_).text(first_problem_);
@@ -245,8 +274,9 @@ std::string Hooks::memory() const {
 }
 
 Hooks::Verdict Hooks::judge_twice(const Life &life) {
-    const Verdict verdict = functions_->judge(life);
-    const Verdict fresh = Functions(sources_, index_, parameters_, stage_).judge(life);
+    Functions others(sources_, index_, parameters_, stage_);
+    others.length() = functions_->length();
+    const Verdict verdict = functions_->judge(life), fresh = others.judge(life);
     const auto differ = [&](const char *name) {
         throw InputError(functions_->where(name) + name +
                          " remembers earlier calls: a life must be judged by itself alone");
@@ -272,6 +302,8 @@ void Hooks::try_out() {
 
 Evaluation Hooks::judge(const Life &life) {
     const Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
+    if (functions_->interval() > 1 && (is_sample(calls_) || calls_ % functions_->interval() == 0))
+        check_unchanged();
     if (verdict.exhausted == Exhausted::memory || verdict.exhausted == Exhausted::seconds)
         throw InputError(verdict.problem);
     if (!verdict.problem.empty() && invalid_++ == 0) first_problem_ = verdict.problem;

@@ -11,8 +11,9 @@
 // statistics changes how a life is judged.
 //
 // A function that raises an error, or returns something else, makes that individual invalid; it is counted
-// and the run goes on. Functions must not remember anything: a sample of lives is judged a second time in a
-// fresh Lua state, and must be judged alike there.
+// and the run goes on. Functions must not remember anything. What they close over must stay as it was, which is looked
+// at after every call, or so often that it costs little where they close over much; and a sample of lives is judged a
+// second time in a fresh Lua state, and must be judged alike there.
 #pragma once
 
 #include "evaluation/life.h"
@@ -44,9 +45,12 @@ class Hooks {
     void begin_run();
     /// Goes on in a run that was stopped. Throws InputError for a text that is not what memory() gave.
     void continue_run(const std::string &memory);
-    /// What continue_run() must know of the lives judged so far.
+    /// What continue_run() must know of the lives judged so far. Throws as check_unchanged() does.
     std::string memory() const;
-    /// Throws InputError if the functions remember earlier calls, or exceed the limits on memory or time,
+    /// Throws InputError if the functions have changed what they close over since the run began: to be called after
+    /// the last life of a run, at the latest.
+    void check_unchanged() const;
+    /// Throws InputError if the functions change what they close over, remember earlier calls, or exceed the limits on memory or time,
     /// which depend on the machine.
     Evaluation judge(const Life &life);
 

@@ -139,16 +139,100 @@ BOOST_AUTO_TEST_CASE(descriptors_of_a_run_have_one_length) {
 
 BOOST_AUTO_TEST_CASE(a_hook_that_remembers_is_found) {
     const char *counter = "fitness = function() n = n + 1 return n end";
-    BOOST_TEST(test::contains(trial(counter, "local n = 0"), "test.lua:4: fitness remembers earlier calls"));
     BOOST_TEST(
-        test::contains(trial("behaviour = function(life) t[#t + 1] = 1 return { #t } end", "local t = {}"),
-                       "behaviour remembers earlier calls"));
+        test::contains(trial(counter, "local n = 0"), "test.lua:4: fitness changes what it closes over"));
+    BOOST_TEST(test::contains(
+        trial("behaviour = function(life) t[#t + 1] = 1 return { #t } end", "local t = {}"),
+        "test.lua:4: behaviour changes what it closes over: a life must be judged by itself alone"));
     // One that starts to remember only after the trial is found during the run.
     Hooks late(
         with("fitness = function(life) if life.finish.x == 7 then n = n + 1 end return n end", "local n = 1"),
         0, {});
     BOOST_CHECK_NO_THROW(late.try_out());
     BOOST_CHECK_THROW(for (int i = 0; i < 100; ++i) late.judge(life_at(7)), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_hook_that_changes_what_it_closes_over_is_found_on_whatever_call) {
+    struct Case {
+        const char *before, *change;
+    };
+    const Case cases[] = {
+        {"local n = 0", "n = n + 1"},
+        {"local n = 0", "n = -n"}, // the sign of a zero
+        {"local t = {}", "t.x = 1"},
+        {"local t = { x = 1 }", "t.x = nil"},
+        {"local t = { { { 'a' } } }", "t[1][1][1] = 'b'"},
+        {"local t = { 2, 1 }", "table.sort(t)"},
+        {"local t = {}", "t = {}"},
+        {"local f = function() end", "f = function() end"},
+        {"local function f() local n = 0 return function() n = n + 1 end end local g = f()", "g()"},
+        {"local n = 0 local function g() n = n + 1 end local t = { g = g }", "t.g()"},
+        {"local each, list, i = pairs { 1, 2, 3 }", "each(list, i)"},
+        {"local d = require 'descriptors'", "d.x = 1"},
+        {"", "local d = require 'descriptors' d.x = 1"},
+        {"local name = 'descriptors' require(name)", "local d = require(name) d.x = 1"},
+        {"local kept", "kept = life"},
+        {"local kept", "kept = life.path"},
+        {"local kept", "kept = parameters"},
+        {"local n = 0", "n = n + 1 error('no')"},
+    };
+    for (const auto &[before, change] : cases) {
+        // Found right after the call, whose number is no sample.
+        const std::string text = "fitness = function(life, parameters) if life.finish.x == 7 then " +
+                                 std::string(change) + " end return 1 end";
+        Hooks hooks(with(text, before), 0, {});
+        BOOST_CHECK_NO_THROW(hooks.try_out());
+        for (int i = 0; i < 10; ++i) BOOST_TEST(hooks.judge(life_at(1)).fitness == 1, change);
+        BOOST_CHECK_NO_THROW(hooks.check_unchanged());
+        const std::string message = test::refusal([&] { hooks.judge(life_at(7)); });
+        BOOST_TEST(
+            message ==
+                "test.lua:4: fitness changes what it closes over: a life must be judged by itself alone",
+            change << " => " << message);
+        BOOST_TEST(test::contains(test::refusal([&] { hooks.memory(); }), "changes what it closes over"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_hook_that_only_reads_what_it_closes_over_is_left_alone) {
+    const char *cases[] = {
+        "local t = { 1, 2, x = { 3 } } for k, v in pairs(t) do t[k] = v end",
+        "for i = 1, 3 do t[#t + 1] = i end for i = 1, 3 do t[#t] = nil end",
+        "local m = require 'descriptors' m.shape(life)",
+        "local s = ('x'):rep(1000) .. life.cells",
+        "planula.change({ a = 1 }, { a = 2 })",
+        "if life.cells == 3 then error('odd') end",
+    };
+    for (const std::string text : cases) {
+        Hooks hooks(with("fitness = function(life) " + text + " return 1 end", "local t = { 1, 2, 3 }"), 0,
+                    {});
+        for (int i = 0; i < 100; ++i) hooks.judge(life_at(i));
+        BOOST_TEST(test::refusal([&] { hooks.memory(); }) == "", text);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_hook_that_closes_over_much_is_looked_at_more_rarely) {
+    const std::string before = "local t = {} for i = 1, 20000 do t[i] = i end";
+    Hooks hooks(with("fitness = function(life) t[life.cells] = life.finish.x return 1 end", before), 0, {});
+    BOOST_TEST(hooks.judge(life_at(10)).fitness == 1);
+    const std::string message = test::refusal([&] {
+        for (int i = 0; i < 256; ++i) hooks.judge(life_at(7));
+    });
+    BOOST_TEST(test::contains(message, ":8: penalty, fitness or behaviour changes what it closes over"),
+               message);
+    BOOST_TEST(
+        test::contains(test::refusal([&] { hooks.check_unchanged(); }), "changes what it closes over"));
+    const std::string many = "local t = {} for i = 1, 100001 do t[i] = i end";
+    BOOST_TEST(test::contains(trial("fitness = function() return #t end", many),
+                              "close over more than 200000 values"));
+}
+
+BOOST_AUTO_TEST_CASE(a_behaviour_of_varying_length_is_invalid_and_remembers_nothing) {
+    Hooks hooks(
+        with("behaviour = function(life) if life.finish.x > 5 then return { 1, 2, 3 } end return { 1 } end"),
+        0, {});
+    BOOST_TEST(hooks.judge(life_at(1)).valid());
+    for (int call = 2; call <= 1024; ++call) BOOST_TEST(!hooks.judge(life_at(8)).valid(), call);
+    BOOST_TEST(hooks.first_problem() == "test.lua:4: behaviour returned 3 numbers, and 1 before");
 }
 
 BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_gone_after_its_judgement) {
@@ -162,7 +246,7 @@ BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_gone_after_its_judgement) {
     Hooks keeper(with("fitness = function(life) if kept then return kept.cells end kept = life return 1 end",
                       "local kept"),
                  0, {});
-    BOOST_TEST(keeper.judge(life_at(1)).fitness == 1);
+    BOOST_CHECK_THROW(keeper.judge(life_at(1)), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(an_endless_hook_makes_the_individual_invalid) {
