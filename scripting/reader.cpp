@@ -39,7 +39,10 @@ const Value *Reader::field(const std::string &key, Value::Kind kind, bool needed
 
 std::string Reader::text(const std::string &key, bool needed) {
     const Value *value = field(key, Value::Kind::text, needed);
-    return value ? value->text : "";
+    if (!value) return "";
+    if (value->text.find_first_of(std::string_view("\r\n\0", 3)) == std::string::npos) return value->text;
+    report(key, at(key).words + " must be one line, without a line break or a zero byte");
+    return "";
 }
 
 std::optional<double> Reader::number(const std::string &key, bool needed) {

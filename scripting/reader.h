@@ -26,6 +26,7 @@ class Reader {
 
     /// The field, if it is there and of that kind; its absence is reported if it is needed.
     const Value *field(const std::string &key, Value::Kind kind, bool needed);
+    /// A text of one line, as tables hold them.
     std::string text(const std::string &key, bool needed = false);
     std::optional<double> number(const std::string &key, bool needed = false);
     /// A whole number of 0 … 2^31 - 1; 0 if absent.

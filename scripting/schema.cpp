@@ -52,7 +52,11 @@ class Schema {
         std::span<const std::string_view> keys = experiment_keys;
         if (several) keys = design_keys;
         Reader reader(result, root, keys, problems_);
+        const std::size_t problems_before = problems_.count();
         experiment_.name = reader.text("name", true);
+        // It names a folder; a single setting has the same name, which is checked with the setting.
+        if (several && problems_.count() == problems_before)
+            check_at(reader.at("name"), problems_, [&] { check_name("an experiment", experiment_.name); });
         experiment_.title = reader.text("title");
         if (several)
             read_settings(reader);

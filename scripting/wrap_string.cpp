@@ -49,13 +49,23 @@ int charged(lua_State *L) {
     return 1;
 }
 
+// Whether one of the items of a pattern is %p, with or without flags, width and precision.
+bool shows_address(std::string_view pattern) {
+    for (std::size_t i = pattern.find('%'); i != pattern.npos; i = pattern.find('%', i)) {
+        const std::size_t kind = pattern.find_first_not_of("-+ #0123456789.", i + 1);
+        if (kind == pattern.npos) return false;
+        if (pattern[kind] == 'p') return true;
+        i = kind == i + 1 ? kind + 1 : kind; // %% is one item
+    }
+    return false;
+}
+
 // string.format of texts and numbers; upvalue: Lua's own.
 int format(lua_State *L) {
-    const std::string_view pattern = luaL_checkstring(L, 1);
-    for (std::size_t i = pattern.find('%'); i != pattern.npos; i = pattern.find('%', i + 2))
-        if (pattern.find_first_not_of("-+ #0123456789.", i + 1) == pattern.find('p', i + 1) &&
-            pattern.find('p', i + 1) != pattern.npos)
-            return luaL_error(L, "string.format: %%p shows an address, which differs from run to run");
+    std::size_t size = 0;
+    const char *pattern = luaL_checklstring(L, 1, &size);
+    if (shows_address({pattern, size}))
+        return luaL_error(L, "string.format: %%p shows an address, which differs from run to run");
     for (int i = 2; i <= lua_gettop(L); ++i) {
         if (!lua_isstring(L, i) && !lua_isboolean(L, i))
             return luaL_error(L, "string.format takes texts and numbers, got %s", luaL_typename(L, i));

@@ -37,9 +37,9 @@ struct Analysis {
     int sample_least = 0;                       // of a smaller run a larger share, so many on average
     double confidence = 0;                      // of all bootstrap intervals
     int resamples = 0;
-    double significance = 0; // p-values below this decide
-    int fitness_classes = 20;
-    Parameters design; // as planned: seeds, generations and population of the whole experiment
+    double significance = 0;  // p-values below this decide
+    int fitness_classes = 20; // between nothing and a run's best; divides 100
+    Parameters design;        // as planned: seeds, generations and population of the whole experiment
 };
 
 /// The names valid in Claim::test.

@@ -66,9 +66,9 @@ void check_analysis(const Analysis &analysis, std::span<const Spec> settings) {
     if (analysis.sample_least < 0)
         throw InputError("statistics: sample_least = " + to_text(analysis.sample_least) +
                          " must be at least 0");
-    if (analysis.fitness_classes < 1)
+    if (analysis.fitness_classes < 1 || 100 % analysis.fitness_classes != 0)
         throw InputError("statistics: fitness_classes = " + to_text(analysis.fitness_classes) +
-                         " must be at least 1");
+                         " must divide 100: 1, 2, 4, 5, 10, 20, 25, 50 or 100");
     for (const std::string &name : analysis.endpoint_settings) require_setting(name, "endpoints", settings);
     for (const Claim &claim : analysis.claims) check_claim(claim, settings);
 }

@@ -26,10 +26,14 @@ NetworkShape shape_of(Actuation actuation) {
     return {input::count, output::count(actuation), is_recurrent(actuation)};
 }
 
-void check_spec(const Spec &spec) {
-    if (!is_file_name(spec.name))
-        throw InputError("the name of a setting is 1 to 100 letters, digits, '-' and '_', not '" + spec.name +
+void check_name(const std::string &what, const std::string &name) {
+    if (!is_file_name(name))
+        throw InputError("the name of " + what + " is 1 to 100 letters, digits, '-' and '_', not '" + name +
                          "'");
+}
+
+void check_spec(const Spec &spec) {
+    check_name("a setting", spec.name);
     if (!(spec.actuation_range >= 0 && spec.actuation_range <= 0.9))
         throw InputError("actuation_range is between 0 and 0.9 rest lengths, not " +
                          to_text(spec.actuation_range));

@@ -46,6 +46,10 @@ struct Spec : Conditions {
 /// The networks that animats with this actuation have.
 NetworkShape shape_of(Actuation actuation);
 
+/// Throws InputError with the rule and the value if `name`, which is that of `what` ("a setting"), cannot name a
+/// folder: it is 1 to 100 letters, digits, '-' and '_'.
+void check_name(const std::string &what, const std::string &name);
+
 /// Throws InputError with the rule and the value: an empty or unsafe name, an unknown search or engine, a
 /// bad environment, inconsistent parameters, a range outside 0 … 0.9, no judge, an empty start.
 void check_spec(const Spec &spec);

@@ -106,6 +106,10 @@ BOOST_AUTO_TEST_CASE(every_hostile_script_ends_soon_with_a_line) {
         "string.format('%p', 'x')",
         "string.format('%s', {})",
         "string.format('%-10p', 'x')",
+        "string.format('\\0%p', 'x')",
+        "string.format('%s\\0%%%5.3p', 'x', 'x')",
+        "string.format('%5%p', 'x')",
+        "require 'paper\\0'",
         "require '../../secret'",
         "require '/etc/passwd'",
         "require 'nowhere'",
@@ -209,6 +213,11 @@ BOOST_AUTO_TEST_CASE(no_text_shows_an_address) {
         text_of("tostring({}) .. tostring(pairs) .. tostring(nil) .. tostring(true) .. tostring(0.5)") ==
         "tablefunctionniltrue0.5");
     BOOST_TEST(text_of("string.format('%s %d %5.2f', true, 3, 1/3)") == "true 3  0.33");
+    BOOST_TEST(text_of("string.format('%%p %d%%', 3)") == "%p 3%");
+    for (const char *pattern : {"%p", "\\0%p", "%%%p", "%d\\0%%\\0%-5p"})
+        BOOST_TEST(test::contains(failure("string.format('" + std::string(pattern) + "', 'x', 'x')"),
+                                  "test.lua:1: string.format: %p shows an address"),
+                   pattern);
 }
 
 BOOST_AUTO_TEST_CASE(texts_are_found_without_patterns) {

@@ -156,6 +156,37 @@ BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_told_on_its_line_onc
                message);
 }
 
+BOOST_AUTO_TEST_CASE(the_name_of_an_experiment_is_a_file_name) {
+    for (const std::string name : {"../../../escaped", "a/b", "", "a b", "."}) {
+        const std::string message =
+            refused("return paper.design {\nname = '" + name + "', settings = { { name = 'a' } } }");
+        BOOST_TEST(message ==
+                   "test.lua:3: the name of an experiment is 1 to 100 letters, digits, '-' and '_', not '" +
+                       name + "'");
+        BOOST_TEST(test::contains(refused("return paper.experiment {\nname = '" + name + "' }"),
+                                  "test.lua:2: the name of a setting is 1 to 100 letters"));
+    }
+    BOOST_TEST(refused("return paper.design { name = 'A-b_9', settings = { { name = 'a' } } }") == "");
+}
+
+BOOST_AUTO_TEST_CASE(every_text_is_one_line) {
+    BOOST_TEST(refused("return paper.experiment { name = 'x',\n title = [[Thick water,\nas in honey]] }") ==
+               "test.lua:3: title must be one line, without a line break or a zero byte");
+    for (const char *text : {"a\\nb", "a\\r", "\\0", "a\\0b"}) {
+        BOOST_TEST(test::contains(
+                       refused("return paper.design { name = 'x', settings = {\n{ name = 'a',\ntitle = '" +
+                               std::string(text) + "' } } }"),
+                       "test.lua:4: settings[1].title must be one line"),
+                   text);
+        BOOST_TEST(test::contains(
+            refused("return paper.design { name = 'x', settings = { { name = 'a' } },\n"
+                    "statistics = planula.fill({ claims = { { id = 'C', section = '-', paper = '-', test = "
+                    "'cyclic', a = 'a', level = 1,\nstatement = '" +
+                    std::string(text) + "' } } }, require 'paper.summary') }"),
+            "test.lua:4: statistics.claims[1].statement must be one line"));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_depart) {
     const Experiment e =
         experiment("return paper.design { name = 'x', parameters = { seeds = 3, population = 10 },\n"

@@ -56,8 +56,12 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_with_rule_and_value) {
                "statistics: resamples = 0 must be at least 1");
     BOOST_TEST(refusal([](Analysis &a) { a.sample_least = -1; }) ==
                "statistics: sample_least = -1 must be at least 0");
-    BOOST_TEST(refusal([](Analysis &a) { a.fitness_classes = 0; }) ==
-               "statistics: fitness_classes = 0 must be at least 1");
+    for (const int classes : {-1, 0, 3, 30, 101, 200, 2147483647})
+        BOOST_TEST(refusal([&](Analysis &a) { a.fitness_classes = classes; }) ==
+                   "statistics: fitness_classes = " + std::to_string(classes) +
+                       " must divide 100: 1, 2, 4, 5, 10, 20, 25, 50 or 100");
+    for (const int classes : {1, 2, 4, 5, 10, 20, 25, 50, 100})
+        BOOST_TEST(refusal([&](Analysis &a) { a.fitness_classes = classes; }) == "");
     BOOST_TEST(refusal([](Analysis &a) { a.claims[0].generation = -1; }) ==
                "claim 'S': generation = -1 must be at least 0");
     BOOST_TEST(refusal([](Analysis &a) { a.claims[0].test = "top_runs"; }) ==

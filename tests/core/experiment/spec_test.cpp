@@ -35,6 +35,11 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_setting_is_said) {
         spec.name = name;
         refused(spec, "the name of a setting");
     }
+    check_name("a thing", "x-1_Y");
+    BOOST_CHECK_EXCEPTION(check_name("a thing", "x/y"), InputError, [](const InputError &error) {
+        return std::string(error.what()) ==
+               "the name of a thing is 1 to 100 letters, digits, '-' and '_', not 'x/y'";
+    });
     Spec wide = good();
     wide.actuation_range = 1.5;
     refused(wide, "actuation_range is between 0 and 0.9 rest lengths, not 1.5");
