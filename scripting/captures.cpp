@@ -12,8 +12,6 @@ namespace planula {
 
 namespace {
 
-constexpr int most_values = 200000;
-
 // The bits of the value at the top, which it pops: equal for the same value only, as the list keeps alive what had an
 // address when it was made.
 std::uint64_t take(lua_State *L) {
@@ -31,9 +29,10 @@ std::uint64_t take(lua_State *L) {
     return mix(bits + mix(static_cast<std::uint64_t>(type)));
 }
 
-// The entries of the table at the top, in whatever order they come.
+// The entries of the table at the top, in whatever order they come, and its length, which they do not tell if it has
+// holes.
 std::uint64_t digest_of_table(lua_State *L) {
-    std::uint64_t sum = 0;
+    std::uint64_t sum = mix(lua_objlen(L, -1));
     for (lua_pushnil(L); lua_next(L, -2);) {
         const std::uint64_t value = take(L);
         lua_pushvalue(L, -1);
@@ -52,10 +51,8 @@ std::uint64_t digest_of_function(lua_State *L) {
 
 Captures::Captures(LuaState &lua, std::span<const int> functions) : lua_(lua), functions_(functions) {
     if (const auto message = lua_.inspect(list, this, Limits{.memory = 128u << 20}))
-        throw InputError(*message);
-    if (values_ > most_values)
-        throw InputError(lua_.main().name + ":" + to_text(line_of_return(lua_.main().tokens)) +
-                         ": the functions close over more than 200000 values");
+        throw InputError(lua_.main().name + ":" + to_text(line_of_return(lua_.main().tokens)) + ": " +
+                         *message);
     digest_ = digest();
 }
 
@@ -74,7 +71,7 @@ int Captures::list(lua_State *L) {
         luaL_findtable(L, LUA_REGISTRYINDEX, modules, 1);
         self.add(L);
     }
-    for (int i = 1; i <= self.count_ && self.values_ <= most_values; ++i) {
+    for (int i = 1; i <= self.count_; ++i) {
         lua_rawgeti(L, 1, i);
         self.list_parts(L);
         lua_pop(L, 1);

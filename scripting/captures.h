@@ -14,7 +14,7 @@ namespace planula {
 class Captures {
   public:
     /// Lists what these functions (references of the state) reach, with all modules if they may require them.
-    /// Throws InputError if that is more than 200000 values. The state must outlive this.
+    /// Throws InputError if the list takes more memory than there is. The state must outlive this.
     Captures(LuaState &lua, std::span<const int> functions);
 
     /// True if an upvalue or an entry of a table is not what it was when this was made. A table that was replaced by an

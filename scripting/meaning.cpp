@@ -161,7 +161,8 @@ class Walk {
     void table(lua_State *L) {
         gather_keys(L);
         std::sort(keys_.begin(), keys_.end());
-        hash_.number(keys_.size());
+        // The length of a list with holes is not told by its entries.
+        hash_.number(keys_.size()).number(lua_objlen(L, -1));
         for (const Key &key : keys_) {
             push_key(L, key);
             lua_pushvalue(L, -1);
@@ -284,6 +285,17 @@ class Walk {
 Meanings::Meanings(const Sources &sources)
     : sources_(sources), apart_(sources.apart()), lua_(apart_, apart_->script(), roomy) {}
 
+// Settings often share their functions.
+FunctionMeaning Meanings::of_function(int function, const std::string &name) {
+    lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX, function);
+    const auto [known, is_new] = known_.try_emplace(lua_topointer(lua_.raw(), -1));
+    lua_pop(lua_.raw(), 1);
+    if (is_new) known->second = Walk(sources_, *apart_, lua_, function).named(name);
+    FunctionMeaning meaning = known->second;
+    meaning.name = name;
+    return meaning;
+}
+
 std::vector<FunctionMeaning> Meanings::of_setting(std::size_t index) {
     const Value *settings = lua_.result().find("settings");
     const Value &setting = settings ? settings->list.at(index) : lua_.result();
@@ -291,7 +303,7 @@ std::vector<FunctionMeaning> Meanings::of_setting(std::size_t index) {
     const auto add = [&](const Value *owner, const std::string &key, const std::string &name) {
         const Value *function = owner ? owner->find(key) : nullptr;
         CHECK(function && function->is(Value::Kind::function), name);
-        meanings.push_back(Walk(sources_, *apart_, lua_, function->function).named(name));
+        meanings.push_back(of_function(function->function, name));
     };
     for (const char *name : {"fitness", "penalty", "behaviour"}) add(&setting, name, name);
     if (const Value *start = setting.find("start")) add(start, "behaviour", "start.behaviour");

@@ -16,7 +16,9 @@
 #include "scripting/sources.h"
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace planula {
@@ -32,9 +34,12 @@ class Meanings {
     std::vector<FunctionMeaning> of_setting(std::size_t index);
 
   private:
+    FunctionMeaning of_function(int function, const std::string &name);
+
     const Sources &sources_;
     std::shared_ptr<Sources> apart_;
     LuaState lua_;
+    std::map<const void *, FunctionMeaning> known_; // functions of lua_
 };
 
 } // namespace planula

@@ -11,6 +11,8 @@ namespace {
 // Upvalues: Lua's own function, and its price for each entry.
 int charged(lua_State *L) {
     luaL_checktype(L, 1, LUA_TTABLE);
+    // Lua's functions would write into the view, past its metatable.
+    if (lua_getmetatable(L, 1)) return luaL_error(L, "a read-only table cannot be changed");
     const lua_Integer price = lua_tointeger(L, lua_upvalueindex(2));
     host_of(L).spend(L, static_cast<std::int64_t>(lua_objlen(L, 1)) * price);
     lua_pushvalue(L, lua_upvalueindex(1));
