@@ -47,56 +47,69 @@ std::uint64_t digest_of_function(lua_State *L) {
     return sum;
 }
 
+std::uint64_t digest(lua_State *L) { return lua_istable(L, -1) ? digest_of_table(L) : digest_of_function(L); }
+
 } // namespace
 
 Captures::Captures(LuaState &lua, std::span<const int> functions) : lua_(lua), functions_(functions) {
     if (const auto message = lua_.inspect(list, this, Limits{.memory = 128u << 20}))
         throw InputError(lua_.main().name + ":" + to_text(line_of_return(lua_.main().tokens)) + ": " +
                          *message);
-    digest_ = digest();
 }
 
-bool Captures::changed() { return digest() != digest_; }
+std::optional<std::size_t> Captures::changed() {
+    lua_State *L = lua_.raw();
+    std::optional<std::size_t> root;
+    lua_rawgeti(L, LUA_REGISTRYINDEX, list_);
+    for (std::size_t i = 0; i < objects_.size() && !root; ++i) {
+        lua_rawgeti(L, -1, static_cast<int>(i + 1));
+        if (digest(L) != objects_[i].digest) root = objects_[i].root;
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return root;
+}
 
 int Captures::list(lua_State *L) {
     Captures &self = *static_cast<Captures *>(lua_touserdata(L, 1));
     lua_settop(L, 0);
     lua_newtable(L);
     lua_getfield(L, LUA_REGISTRYINDEX, library_names);
-    for (const int function : self.functions_) {
-        lua_rawgeti(L, LUA_REGISTRYINDEX, function);
-        self.add(L);
+    for (std::size_t root = 0; root < self.functions_.size(); ++root) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, self.functions_[root]);
+        self.add(L, root);
     }
     if (self.lua_.requires_in_functions()) {
         luaL_findtable(L, LUA_REGISTRYINDEX, modules, 1);
-        self.add(L);
+        self.add(L, self.functions_.size());
     }
-    for (int i = 1; i <= self.count_; ++i) {
-        lua_rawgeti(L, 1, i);
-        self.list_parts(L);
+    for (std::size_t i = 0; i < self.objects_.size(); ++i) {
+        lua_rawgeti(L, 1, static_cast<int>(i + 1));
+        self.list_parts(L, self.objects_[i].root);
+        self.objects_[i].digest = digest(L);
         lua_pop(L, 1);
     }
     lua_settop(L, 1);
-    self.objects_ = luaL_ref(L, LUA_REGISTRYINDEX);
+    self.list_ = luaL_ref(L, LUA_REGISTRYINDEX);
     return 0;
 }
 
 // Adds what the table or function at the top holds.
-void Captures::list_parts(lua_State *L) {
+void Captures::list_parts(lua_State *L, std::size_t root) {
     if (lua_isfunction(L, -1)) {
-        for (int i = 1; lua_getupvalue(L, -1, i); ++i) add(L);
+        for (int i = 1; lua_getupvalue(L, -1, i); ++i) add(L, root);
         return;
     }
-    if (lua_getmetatable(L, -1)) add(L);
+    if (lua_getmetatable(L, -1)) add(L, root);
     for (lua_pushnil(L); lua_next(L, -2);) {
-        add(L);
+        add(L, root);
         lua_pushvalue(L, -1);
-        add(L);
+        add(L, root);
     }
 }
 
 // Keeps the value at the top, which it pops, if it has an address; tables and functions of scripts get a number.
-void Captures::add(lua_State *L) {
+void Captures::add(lua_State *L, std::size_t root) {
     ++values_;
     const int type = lua_type(L, -1);
     if (type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER) return lua_pop(L, 1);
@@ -108,24 +121,12 @@ void Captures::add(lua_State *L) {
         if (known) return lua_pop(L, 1);
     }
     if (type == LUA_TTABLE || type == LUA_TFUNCTION) {
+        objects_.push_back({root, 0});
         lua_pushvalue(L, -1);
-        lua_rawseti(L, 1, ++count_);
+        lua_rawseti(L, 1, static_cast<int>(objects_.size()));
     }
     lua_pushboolean(L, 1);
     lua_rawset(L, 1);
-}
-
-std::uint64_t Captures::digest() {
-    lua_State *L = lua_.raw();
-    std::uint64_t sum = 0;
-    lua_rawgeti(L, LUA_REGISTRYINDEX, objects_);
-    for (int i = 1; i <= count_; ++i) {
-        lua_rawgeti(L, -1, i);
-        sum = mix(sum + (lua_istable(L, -1) ? digest_of_table(L) : digest_of_function(L)));
-        lua_pop(L, 1);
-    }
-    lua_pop(L, 1);
-    return sum;
 }
 
 } // namespace planula

@@ -6,8 +6,11 @@
 
 #include "scripting/lua_state.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace planula {
 
@@ -17,24 +20,29 @@ class Captures {
     /// Throws InputError if the list takes more memory than there is. The state must outlive this.
     Captures(LuaState &lua, std::span<const int> functions);
 
-    /// True if an upvalue or an entry of a table is not what it was when this was made. A table that was replaced by an
+    /// Which function reaches what has changed, by its place in `functions`; their number if only modules do; nothing
+    /// if every upvalue and every entry of a table is what it was when this was made. A table that was replaced by an
     /// equal one has changed, too.
-    bool changed();
+    std::optional<std::size_t> changed();
     /// How many values changed() looks at.
     int values() const { return values_; }
 
   private:
+    // A table or function of a script.
+    struct Object {
+        std::size_t root; // which function reaches it first
+        std::uint64_t digest;
+    };
+
     static int list(lua_State *L);
-    void list_parts(lua_State *L);
-    void add(lua_State *L);
-    std::uint64_t digest();
+    void list_parts(lua_State *L, std::size_t root);
+    void add(lua_State *L, std::size_t root);
 
     LuaState &lua_;
     std::span<const int> functions_; // during the constructor
-    int objects_ = 0; // a reference to the list of tables and functions, which holds all texts, too
-    int count_ = 0;   // of tables and functions
+    int list_ = 0; // a reference to the list of the objects themselves, which holds all texts, too
+    std::vector<Object> objects_;
     int values_ = 0;
-    std::uint64_t digest_ = 0;
 };
 
 } // namespace planula

@@ -29,7 +29,7 @@ constexpr std::int64_t calls_between_samples = 1024;
 // at least once in so many calls. Looking at a value takes 20 ns, a life milliseconds.
 constexpr int values_for_each_call = 64;
 constexpr int most_calls_unseen = 256;
-constexpr const char *rule_of_captures = " what it closes over: a life must be judged by itself alone";
+constexpr const char *rule_of_captures = ": a life must be judged by itself alone";
 constexpr Limits limits_of_a_call{
     .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};
 
@@ -110,11 +110,13 @@ class Hooks::Functions {
     int interval() const { return interval_; }
 
     void check_unchanged() {
-        if (!captures_->changed()) return;
-        const bool whole = stage_ == Stage::life;
-        throw InputError(where("penalty") +
-                         (whole ? "penalty, fitness or behaviour" : "penalty or behaviour") + " changes" +
-                         rule_of_captures);
+        const auto changed = captures_->changed();
+        if (!changed) return;
+        constexpr std::array names{"penalty", "fitness", "behaviour"};
+        const bool is_module = *changed == names.size();
+        const std::string name = names[is_module ? 0 : *changed];
+        throw InputError(where(name) + "what " + (is_module ? "modules hold" : name + " closes over") +
+                         " was changed by a judgement" + rule_of_captures);
     }
 
     Verdict judge(const Life &life) {
@@ -172,7 +174,7 @@ class Hooks::Functions {
         if (penalty) lua_pushnumber(L, *penalty);
         const auto message = lua_.call(penalty ? 3 : 2, limits_of_a_call);
         if (interval_ == 1 && captures_->changed())
-            throw InputError(where(name) + name + " changes" + rule_of_captures);
+            throw InputError(where(name) + name + " changes what it closes over" + rule_of_captures);
         if (!message) return true;
         verdict.problem = *message + " (in " + name + ")";
         verdict.wrong_kind = true;
@@ -297,6 +299,7 @@ void Hooks::try_out() {
         if (verdict.wrong_kind)
             throw InputError(verdict.problem + " for a trial life with outcome '" + outcome_names[i] + "'");
     }
+    check_unchanged();
     begin_run();
 }
 
