@@ -7,6 +7,7 @@
 #include "scripting/wrap.h"
 
 #include <bit>
+#include <string>
 
 namespace planula {
 

@@ -6,6 +6,7 @@
 #include "parameters/parameters.h"
 
 #include <string>
+#include <string_view>
 
 namespace planula {
 

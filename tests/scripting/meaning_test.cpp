@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scripting/meaning.h"
 
+#include "base/hash.h"
 #include "support/folder.h"
 #include "support/scripts.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -192,6 +195,33 @@ BOOST_AUTO_TEST_CASE(functions_of_one_line_are_told_apart) {
             "end") != b);
     // A method has one parameter more.
     BOOST_TEST(fitness("t.g", "local t = {} function t:g() return 2 end") != b);
+}
+
+// Functions side by side and in each other, with line feeds at random places, all kept in `t`.
+BOOST_AUTO_TEST_CASE(functions_of_random_layout_are_told_apart) {
+    std::uint64_t state = 1;
+    const auto draw = [&](std::uint64_t below) { return mix(++state) % below; };
+    const auto gap = [&] { return draw(3) == 0 ? std::string("\n") : std::string(" "); };
+    int count = 0;
+    const std::function<std::string(int)> functions = [&](int depth) {
+        std::string text;
+        for (std::uint64_t i = 0; i <= draw(3); ++i) {
+            const std::string number = std::to_string(++count);
+            text += "t[" + number + "] =" + gap() + "function" + gap() + "(" + gap() + ")" + gap() +
+                    "return" + gap() + number + gap() + "end" + gap();
+            if (depth > 0)
+                text += "local" + gap() + "function" + gap() + "f" + gap() + "(" + gap() + ")" + gap() +
+                        functions(depth - 1) + "end" + gap() + "f()" + gap();
+        }
+        return text;
+    };
+    const std::string before = "local t = {} " + functions(3);
+    BOOST_REQUIRE(count > 10);
+    for (int i = 1; i <= count; i += 1 + count / 12) {
+        const std::string number = std::to_string(i);
+        BOOST_TEST(fitness("t[" + number + "]", before) == fitness("function() return " + number + " end"),
+                   before);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(cycles_end_and_sharing_counts) {
