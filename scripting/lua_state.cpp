@@ -15,6 +15,7 @@ namespace planula {
 namespace {
 
 constexpr int instructions_between_checks = 100;
+constexpr int deepest_calls = 150; // from C
 
 // "name:line: " of the innermost running Lua function.
 std::string position(lua_State *L) {
@@ -64,6 +65,7 @@ void Host::begin_call(const Limits &allowed) {
     limits = allowed;
     allocated = 0;
     instructions = 0;
+    depth = 0;
     exhausted = Exhausted::no;
     where.clear();
     deadline =
@@ -75,6 +77,11 @@ void Host::exhaust(Exhausted what) {
     if (exhausted != Exhausted::no) return;
     exhausted = what;
     if (state) where = position(state);
+}
+
+void Host::go_deeper(lua_State *L) {
+    if (depth >= deepest_calls) luaL_error(L, "calls through pcall and table.sort are nested too deep");
+    ++depth;
 }
 
 void Host::spend(lua_State *L, std::int64_t work) {

@@ -50,7 +50,8 @@ struct Host {
     std::int64_t instructions = 0;
     std::chrono::steady_clock::time_point deadline;
     Exhausted exhausted = Exhausted::no;
-    std::string where;                  // "name:line: " of the moment of exhaustion
+    std::string where; // "name:line: " of the moment of exhaustion
+    int depth = 0;     // of calls from the script through C back into it, which take the stack of the machine
     std::vector<const Source *> loaded; // by this state: the script, then its modules
     bool closed = false;                // no further module may be loaded
 
@@ -59,6 +60,9 @@ struct Host {
     /// Counts `work` instructions; if that is too much, notes where and raises a Lua error.
     void spend(lua_State *L, std::int64_t work);
     void exhaust(Exhausted what);
+    /// Counts a function of C that calls back into the script, one level deeper than `depth` was. Raises a Lua error
+    /// if there are too many; who catches an error puts the depth back.
+    void go_deeper(lua_State *L);
     std::string message() const;
     /// The length of the "name:line: " that a message begins with; 0 if it names no source of this state.
     std::size_t place_in(std::string_view said) const;

@@ -136,8 +136,12 @@ void strip_places(lua_State *L) {
 // name of a file may decide anything.
 int guarded_pcall(lua_State *L) {
     luaL_checkany(L, 1);
+    Host &host = host_of(L);
+    const int depth = host.depth;
+    host.go_deeper(L);
     const int status = lua_pcall(L, lua_gettop(L) - 1, LUA_MULTRET, 0);
-    if (host_of(L).exhausted != Exhausted::no) return luaL_error(L, "the script exceeds its limits");
+    host.depth = depth;
+    if (host.exhausted != Exhausted::no) return luaL_error(L, "the script exceeds its limits");
     if (status != 0) strip_places(L);
     lua_pushboolean(L, status == 0);
     lua_insert(L, 1);

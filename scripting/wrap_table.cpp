@@ -14,10 +14,13 @@ int charged(lua_State *L) {
     // Lua's functions would write into the view, past its metatable.
     if (lua_getmetatable(L, 1)) return luaL_error(L, "a read-only table cannot be changed");
     const lua_Integer price = lua_tointeger(L, lua_upvalueindex(2));
-    host_of(L).spend(L, static_cast<std::int64_t>(lua_objlen(L, 1)) * price);
+    Host &host = host_of(L);
+    host.spend(L, static_cast<std::int64_t>(lua_objlen(L, 1)) * price);
+    host.go_deeper(L); // table.sort compares by a function of the script
     lua_pushvalue(L, lua_upvalueindex(1));
     lua_insert(L, 1);
     lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+    --host.depth;
     return lua_gettop(L);
 }
 
