@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "experiment/revision.h"
 #include "experiment/run.h"
 #include "experiment/signature.h"
 #include "scripting/commands.h"
@@ -18,9 +19,11 @@ constexpr Option options[] = {
     threads_option,
     lanes_option,
     {"script", "FILE", "the experiment whose settings are signed (default: the paper's replication)"},
+    {"compiled", "", "the signature that this program was built to have, without any run"},
 };
 
 int print_signature(const Arguments &arguments, Console &console) {
+    if (arguments.has("compiled")) return console.out << model_revision() << '\n', 0;
     const std::string standard = (console.library / "paper" / "replication.lua").string();
     const int threads = threads_of(arguments);
     use_lanes_of(arguments);

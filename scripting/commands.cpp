@@ -5,6 +5,7 @@
 #include "base/lane_sets.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "experiment/revision.h"
 #include "record/manifest.h"
 
 #include <algorithm>
@@ -32,6 +33,11 @@ std::string help() {
            "            74 input or output failed, 75 stopped: the same command goes on\n";
 }
 
+std::string version_line() {
+    return "planula " + std::string(version()) + ", model " + std::string(model_revision().substr(0, 12)) +
+           '\n';
+}
+
 const Command &command_called(const std::string &name) {
     std::vector<std::string_view> names;
     for (const Command *command : all_commands()) {
@@ -46,7 +52,7 @@ const Command &command_called(const std::string &name) {
 int run_words(const std::vector<std::string> &words, Console &console) {
     if (words.empty()) throw UsageError(help());
     if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") return console.out << help(), 0;
-    if (words[0] == "--version") return console.out << "planula " << version() << '\n', 0;
+    if (words[0] == "--version") return console.out << version_line(), 0;
     const Command &command = command_called(words[0]);
     const std::span rest(words.begin() + 1, words.end());
     for (const std::string &word : rest) {

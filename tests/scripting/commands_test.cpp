@@ -2,6 +2,8 @@
 #include "scripting/commands.h"
 
 #include "base/lane_sets.h"
+#include "experiment/revision.h"
+#include "record/manifest.h"
 #include "support/scripts.h"
 
 #include <boost/test/unit_test.hpp>
@@ -409,6 +411,13 @@ BOOST_AUTO_TEST_CASE(the_history_of_a_run_can_be_read_and_drawn) {
     BOOST_TEST(content(svg).starts_with("<svg "));
     BOOST_TEST(content(dot).starts_with("digraph "));
     BOOST_TEST(planula_says({"genome", run, "--svg", "/nowhere/net.svg"}).code == 73);
+}
+
+BOOST_AUTO_TEST_CASE(the_program_says_which_model_it_is) {
+    const std::string revision(model_revision());
+    BOOST_TEST(planula_says({"signature", "--compiled"}).out == revision + '\n');
+    BOOST_TEST(planula_says({"--version"}).out ==
+               "planula " + std::string(version()) + ", model " + revision.substr(0, 12) + '\n');
 }
 
 BOOST_AUTO_TEST_CASE(an_output_that_cannot_be_written_is_an_error) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Compares `planula signature`, one hash over runs of all eight settings, with tests/golden/signature.
+# Compares `planula signature`, one hash over runs of all eight settings, with tests/golden/signature, and
+# that with the one that the program was built to have, its model revision.
 #
 #   signature.sh PROGRAM          this program, as it is
 #   signature.sh --alternative    one more build: by clang++ where there is one, else by g++ without optimisation
@@ -42,11 +43,15 @@ cell() {
     fi
 }
 
+# stated TITLE PROGRAM: one cell, the signature that the program states.
+stated() { cell "$1, as compiled in" "$2" signature --compiled; }
+
 case ${1-} in
     --alternative)
         compiler=g++ level=-O0
         if command -v clang++ > /dev/null; then compiler=clang++ level=-O1; fi
         program=$(build "$compiler" "$level")
+        stated "$compiler $level" "$program"
         cell "$compiler $level" "$program" signature --script "$script" --threads "$jobs"
         ;;
     --all)
@@ -55,6 +60,7 @@ case ${1-} in
             for level in -O0 -O3; do
                 # Each source must include what it uses, which precompiled headers would hide.
                 program=$(build "$compiler" "$level" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+                stated "$compiler $level" "$program"
                 for lanes in scalar sse2 avx2 avx512; do
                     # A processor that lacks these lanes says so.
                     "$program" signature --lanes "$lanes" --script /dev/null 2>&1 | grep -q 'no lanes' ||
@@ -73,6 +79,7 @@ case ${1-} in
         exit 2
         ;;
     *)
+        stated "$1" "$1"
         cell "$1" "$1" signature --script "$script"
         ;;
 esac

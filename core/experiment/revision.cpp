@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/revision.h"
+
+namespace planula {
+
+std::string_view model_revision() { return PLANULA_MODEL_REVISION; }
+
+} // namespace planula
