@@ -115,7 +115,7 @@ program: deps build/CMakeCache.txt ## the program alone: build/planula
 	@echo 'program: compiling, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) --target planula > build/program.log 2>&1 || { cat build/program.log; exit 1; }
 
-signature: program ## one hash over all eight settings must be the one in tests/golden
+signature: program ## one hash over the runs of experiments/signature.lua must be the one in tests/golden, and the one compiled in
 	@bash tests/torture/signature.sh $(PLANULA)
 
 verify-signature: deps ## the same, with a second compiler or optimisation level

@@ -413,6 +413,21 @@ BOOST_AUTO_TEST_CASE(the_history_of_a_run_can_be_read_and_drawn) {
     BOOST_TEST(planula_says({"genome", run, "--svg", "/nowhere/net.svg"}).code == 73);
 }
 
+BOOST_AUTO_TEST_CASE(the_signature_is_one_hash_that_threads_do_not_change) {
+    const Workplace place(small);
+    const auto signature = [&](const char *threads) {
+        return planula_says({"signature", "--script", place.script(), "--threads", threads});
+    };
+    const Said one = signature("1");
+    BOOST_TEST(one.code == 0, one.err);
+    BOOST_TEST(one.out.size() == 65u);
+    BOOST_TEST(signature("3").out == one.out);
+    std::string other = small;
+    other.replace(other.find("population = 6"), 14, "population = 7");
+    std::ofstream(place.script()) << other;
+    BOOST_TEST(signature("1").out != one.out);
+}
+
 BOOST_AUTO_TEST_CASE(the_program_says_which_model_it_is) {
     const std::string revision(model_revision());
     BOOST_TEST(planula_says({"signature", "--compiled"}).out == revision + '\n');

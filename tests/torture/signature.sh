@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Compares `planula signature`, one hash over runs of all eight settings, with tests/golden/signature, and
+# Compares `planula signature`, one hash over the runs of experiments/signature.lua, with tests/golden/signature, and
 # that with the one that the program was built to have, its model revision.
 #
 #   signature.sh PROGRAM          this program, as it is
@@ -12,7 +12,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 golden=tests/golden/signature
-script=experiments/paper/replication.lua
+script=experiments/signature.lua
 plain_libm='glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable'
 jobs=${JOBS:-$(nproc)}
 passed=0 failed=0

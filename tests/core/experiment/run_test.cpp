@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
@@ -35,7 +36,17 @@ std::string signature_without_memo(const Spec &spec, std::uint64_t seed) {
         for (const Genome &genome : population.genomes) lives.push_back(live(genome, spec));
         const std::vector<Evaluation> evaluations = judge_all(spec.judge, lives);
         const std::vector<double> scores = state.search->score(population, evaluations);
-        hash.observe({population.generation, population, lives, evaluations, scores, *state.search, 0, {}});
+        const auto less = [](const Evaluation &a, const Evaluation &b) { return a.fitness < b.fitness; };
+        const auto best =
+            std::max_element(evaluations.begin(), evaluations.end(), less) - evaluations.begin();
+        hash.observe({population.generation,
+                      population,
+                      lives,
+                      evaluations,
+                      scores,
+                      *state.search,
+                      static_cast<int>(best),
+                      {}});
         if (population.generation + 1 == spec.parameters.generations) return hash.hex();
         population = state.search->next(population, scores, shape_of(spec.actuation), seed);
     }
