@@ -121,7 +121,7 @@ signature: program ## one hash over the runs of experiments/signature.lua must b
 verify-signature: deps ## the same, with a second compiler or optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills; every file call failing once
+torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills; every file call failing once; a signature that sees every parameter
 	@bash tests/torture/signature.sh --all
 	@cmake --build build --parallel $(JOBS) --target planula $(TORTURE) > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
 	@build/tests/random_genomes 200000
@@ -129,6 +129,7 @@ torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, 
 	@build/tests/random_cases 100000
 	@bash tests/torture/kills.sh $(PLANULA)
 	@bash tests/torture/faults.sh $(PLANULA)
+	@bash tests/torture/parameters.sh $(PLANULA)
 TORTURE = random_genomes passive_bodies random_cases
 
 BENCHMARK_RUNS ?= 50
