@@ -34,5 +34,6 @@ return paper.design {
   name = "searches",
   title = "Searches at equal evaluations",
   parameters = { seeds = 3, population = 100, generations = 40 },
+  record = "sample",
   settings = settings,
 }

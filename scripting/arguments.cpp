@@ -90,7 +90,7 @@ Arguments parse_arguments(const Command &command, std::span<const std::string> w
     if (arguments.operands.size() < wanted)
         throw UsageError("planula " + std::string(command.name) + " needs " + std::string(command.operand) +
                          see_help(command));
-    if (arguments.operands.size() > wanted)
+    if (arguments.operands.size() > wanted && !command.operand.ends_with("..."))
         throw UsageError("planula " + std::string(command.name) + ": '" + arguments.operands[wanted] +
                          "' is one word too many" + see_help(command));
     return arguments;

@@ -48,7 +48,7 @@ class Arguments {
 
 struct Command {
     std::string_view name;
-    std::string_view operand; // its one operand, or empty
+    std::string_view operand; // its one operand, or empty; ending in "..." if there may be more
     std::string_view summary; // one line
     std::string_view details; // paragraphs
     std::span<const Option> options;

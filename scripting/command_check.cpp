@@ -37,6 +37,9 @@ void describe_setting(const Spec &setting, std::ostream &out) {
         << to_text(world.friction) << "\n  drag normal " << to_text(world.drag_normal) << ", tangential "
         << to_text(world.drag_tangential) << ", flow " << to_text(world.flow.x) << ", "
         << to_text(world.flow.y) << '\n';
+    for (const FunctionMeaning &function : setting.judgement)
+        out << "  " << function.name << ": " << function.place << '\n';
+    out << "  record " << name_of(setting.record) << '\n';
     bool as_in_the_paper = true;
     for (const ParameterRow &row : parameter_rows()) {
         const double value = parameter(setting.parameters, row.name);
@@ -52,11 +55,7 @@ int describe(const Arguments &arguments, Console &console) {
     const Experiment experiment = experiment_of(arguments, console);
     console.out << "experiment " << experiment.name;
     if (!experiment.title.empty()) console.out << ": " << experiment.title;
-    console.out << "\nsources that decide its results:\n";
-    for (std::size_t i = 0; i < experiment.code_sources; ++i) {
-        const Source &source = experiment.sources->all()[i];
-        console.out << "  " << source.sha256 << "  " << source.name << '\n';
-    }
+    console.out << '\n';
     console.out << "claims to judge: "
                 << to_text(static_cast<std::int64_t>(experiment.analysis.claims.size())) << '\n';
     for (const Spec &setting : experiment.settings) describe_setting(setting, console.out);

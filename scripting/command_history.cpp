@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Commands that read the record of one run: where it stands, who descends from whom, what a genome is.
+// Commands that read the record of one run: who descends from whom, what an individual is.
+#include "analysis/history.h"
 #include "analysis/lineage.h"
 #include "analysis/network_picture.h"
 #include "analysis/network_text.h"
+#include "analysis/replay.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "record/csv.h"
@@ -10,8 +12,9 @@
 #include "record/output.h"
 #include "record/run_reader.h"
 #include "scripting/commands.h"
+#include "scripting/interrupt.h"
 
-#include <algorithm>
+#include <optional>
 #include <ostream>
 
 namespace planula {
@@ -28,6 +31,11 @@ constexpr Option lineage_options[] = {
 
 constexpr Option genome_options[] = {
     genome_option,
+    {"generation", "G",
+     "with --slot: any individual of the run, simulated again from the nearest kept state"},
+    {"slot", "S", "its place in that generation, from 0"},
+    threads_option,
+    {"csv", "FILE", "writes the genome into FILE, with the columns of genome.csv"},
     {"svg", "FILE", "draws the network into FILE"},
     {"dot", "FILE", "writes the network for Graphviz into FILE"},
 };
@@ -41,56 +49,92 @@ std::optional<std::int64_t> asked_genome(const Arguments &arguments) {
     return id;
 }
 
+/// Writes a file for a person. What lies there and is no file, a device say, is not replaced.
+void write_new_file(const std::filesystem::path &path, const std::string &text) {
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+        throw CreateError(path.string() + " is not a file, and is not replaced by one");
+    write_file(path, text);
+}
+
+/// The genome as a table with the columns of genome.csv.
+std::string table_text(const Genome &genome) {
+    std::string text = header_line<GenomeRow>();
+    for (const GenomeRow &row : genome_rows(genome)) text += line_of(row);
+    return text;
+}
+
 int print_lineage(const Arguments &arguments, Console &console) {
     const std::optional<std::int64_t> asked = asked_genome(arguments);
     const RecordedRun run = read_run(arguments.operands.at(0));
-    const std::int64_t genome = asked ? *asked : read_best_genome(run).id;
+    const std::int64_t genome = asked ? *asked : read_champion_genome(run, run.generations).id;
     console.out << header_line<LineageRow>();
     for (const LineageRow &row : lineage(run, genome, arguments.has("copies"))) console.out << line_of(row);
     return 0;
 }
 
-/// The champion with this genome, or the last one.
-NumberedGenome champion_of(const RecordedRun &run, std::optional<std::int64_t> id) {
+/// An individual of a run, and how its life went.
+struct Shown {
+    int generation = 0;
+    Genome genome;
+    std::string life;
+};
+
+/// The champion with this genome, or the last one, as the run has recorded it.
+Shown champion_of(const RecordedRun &run, std::optional<std::int64_t> id) {
     std::vector<NumberedGenome> champions = read_numbered<ChampionGenomeRow>(run.folder);
     const std::string file = (run.folder / ChampionGenomeRow::file_name).string();
     if (champions.empty()) throw InputError(file + ": there is no champion");
-    if (!id) return champions.back();
     std::string known;
-    for (const NumberedGenome &champion : champions) {
-        if (champion.genome.id == *id) return champion;
+    for (std::size_t i = 0; i < champions.size(); ++i) {
+        const NumberedGenome &champion = champions[i];
+        const bool is_asked = id ? champion.genome.id == *id : i + 1 == champions.size();
         known.append(" ").append(to_text(champion.genome.id));
+        if (!is_asked) continue;
+        const ChampionRow row = read_champions(run).at(i);
+        return {champion.number, champion.genome,
+                to_text(row.cells) + " cells, moved " + to_text(row.displacement) + " cells, fitness " +
+                    to_text(row.fitness)};
     }
-    throw InputError(file + ": genome " + to_text(*id) +
-                     " was never the run's best, so that only its row is kept; the champions are" + known);
+    throw InputError(file + ": genome " + to_text(*id) + " was never the run's best; the champions are" +
+                     known + "; any other individual is had by --generation and --slot");
+}
+
+std::string life_text(const Individual &individual) {
+    const Life &life = individual.life;
+    return std::string(name_of(life.outcome)) + ", " + to_text(life.cells) + " cells (" +
+           to_text(life.births) + " created), moved " + to_text(life.displacement()) + " cells from (" +
+           to_text(life.rest.x) + ", " + to_text(life.rest.y) + ") to (" + to_text(life.end.x) + ", " +
+           to_text(life.end.y) + "), fitness " + to_text(individual.evaluation.fitness) + ", score " +
+           to_text(individual.score);
+}
+
+/// The individual of --generation and --slot.
+Shown individual_of(const Arguments &arguments, const RecordedRun &run) {
+    if (!arguments.has("generation") || !arguments.has("slot"))
+        throw UsageError("--generation and --slot name an individual together");
+    if (arguments.has("genome"))
+        throw UsageError(
+            "--genome names a champion, --generation and --slot any individual: give one or the other");
+    const int generation = arguments.whole("generation", 0, 0), slot = arguments.whole("slot", 0, 0);
+    const OwnSetting own = recorded_setting(run);
+    const Interrupt interrupt;
+    const Individual individual = replay_individual(run, own.spec, generation, slot, threads_of(arguments),
+                                                    [&] { return interrupt.requested(); });
+    return {generation, individual.genome, life_text(individual)};
 }
 
 int print_genome(const Arguments &arguments, Console &console) {
     const std::optional<std::int64_t> asked = asked_genome(arguments);
     const RecordedRun run = read_run(arguments.operands.at(0));
-    const NumberedGenome champion = champion_of(run, asked);
+    const bool by_place = arguments.has("generation") || arguments.has("slot");
+    const Shown shown = by_place ? individual_of(arguments, run) : champion_of(run, asked);
     const std::string title = run.setting + ", seed " + to_text(run.seed) + ", generation " +
-                              to_text(champion.number) + ", genome " + to_text(champion.genome.id);
-    if (arguments.has("svg")) write_file(arguments.text("svg"), svg_of(champion.genome, title));
-    if (arguments.has("dot")) write_file(arguments.text("dot"), dot_of(champion.genome));
-    if (arguments.has("svg") || arguments.has("dot")) return 0;
-    console.out << title << '\n' << description_of(champion.genome);
-    return 0;
-}
-
-int print_status(const Arguments &arguments, Console &console) {
-    std::size_t complete = 0;
-    const std::vector<RunStatus> runs = statuses(arguments.operands.at(0));
-    for (const RunStatus &run : runs) {
-        complete += run.is_complete;
-        console.out << run.folder.string() << ": "
-                    << (run.is_complete       ? "complete, " + to_text(run.generations) + " generations"
-                        : run.generations > 0 ? "generation " + to_text(run.done) + " of " +
-                                                    to_text(run.generations) + " is kept"
-                                              : std::string("nothing is kept"))
-                    << '\n';
-    }
-    console.out << complete << " of " << runs.size() << " runs are complete\n";
+                              to_text(shown.generation) + ", genome " + to_text(shown.genome.id);
+    if (arguments.has("svg")) write_new_file(arguments.text("svg"), svg_of(shown.genome, title));
+    if (arguments.has("dot")) write_new_file(arguments.text("dot"), dot_of(shown.genome));
+    if (arguments.has("csv")) write_new_file(arguments.text("csv"), table_text(shown.genome));
+    if (arguments.has("svg") || arguments.has("dot") || arguments.has("csv")) return 0;
+    console.out << title << '\n' << shown.life << '\n' << description_of(shown.genome);
     return 0;
 }
 
@@ -109,27 +153,18 @@ const Command &lineage_command() {
 }
 
 const Command &genome_command() {
-    static const Command command{
-        "genome",
-        "RUN",
-        "prints a champion's genome readably, or draws its network",
-        "RUN is the folder of a complete run. Every individual that was fitter than all before it is a "
-        "champion "
-        "and has\nits genome kept. In the picture a link is the wider the stronger, blue if its weight is "
-        "positive, red if negative.",
-        genome_options,
-        print_genome};
-    return command;
-}
-
-const Command &status_command() {
-    static const Command command{
-        "status",
-        "DIR",
-        "tells how far the runs below a folder are",
-        "DIR is what planula run was given as --out. One line for each run, and a count.",
-        {},
-        print_status};
+    static const Command command{"genome",
+                                 "RUN",
+                                 "prints the genome and life of an individual, or draws its network",
+                                 "RUN is the folder of a complete run. Every individual that was fitter than "
+                                 "all before it is a champion and has\n"
+                                 "its genome recorded; any other is simulated again, up to its generation, "
+                                 "from the nearest kept state, and refused "
+                                 "if\nthat generation is not as recorded. In the picture a link is the wider "
+                                 "the stronger, blue if its weight is\n"
+                                 "positive, red if negative.",
+                                 genome_options,
+                                 print_genome};
     return command;
 }
 

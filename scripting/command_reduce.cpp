@@ -2,7 +2,6 @@
 #include "analysis/analysis.h"
 #include "analysis/witness.h"
 #include "base/text.h"
-#include "record/run_writer.h"
 #include "scripting/commands.h"
 
 #include <ostream>
@@ -12,12 +11,10 @@ namespace planula {
 
 namespace {
 
-constexpr Option seeds_warning_option{"seeds", "A:B|N", "warn of each run of these seeds that is not there"};
-
 constexpr Option witness_options[] = {
     {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
     {"out", "DIR", "where the tables go (default: build/data)"},
-    seeds_warning_option,
+    chosen_seeds_option,
     generations_option,
     population_option,
     set_option,
@@ -31,39 +28,18 @@ constexpr Option frames_options[] = {
     set_option,
 };
 
-void warn_of_missing(const Experiment &experiment, const std::vector<std::uint64_t> &seeds,
-                     const std::filesystem::path &runs, std::ostream &err) {
-    for (const Spec &setting : experiment.settings) {
-        const RunIdentity identity = identity_of(experiment, setting);
-        for (const std::uint64_t seed : seeds) {
-            const auto folder = run_folder(runs, setting.name, seed);
-            if (!is_complete(folder, setting, seed, identity))
-                err << folder.string() << ": no complete run of this experiment\n";
-        }
-    }
-}
-
-/// Where the runs are that a command looks for; the missing ones are told if the command line names seeds.
-std::string runs_to_read(const Arguments &arguments, const Experiment &experiment, std::ostream &err) {
-    const std::string runs = runs_folder(arguments, "runs", experiment);
-    if (arguments.has("seeds")) warn_of_missing(experiment, seeds_of(arguments, experiment), runs, err);
-    return runs;
-}
-
 int reduce_runs(const Arguments &arguments, Console &console) {
     const Experiment experiment = experiment_of(arguments, console);
-    const std::string runs = runs_to_read(arguments, experiment, console.err);
     const std::string out = arguments.text("out", "build/data");
-    reduce(experiment.analysis, experiment.settings, runs, out);
+    reduce(experiment.analysis, experiment.settings, choice_of(arguments, experiment, console), out);
     console.out << out << '\n';
     return 0;
 }
 
 int call_witness(const Arguments &arguments, Console &console) {
     const Experiment experiment = experiment_of(arguments, console);
-    const std::string runs = runs_to_read(arguments, experiment, console.err);
     const std::string out = arguments.text("out", "build/data");
-    witness(experiment.settings, runs, out, threads_of(arguments));
+    witness(experiment.settings, choice_of(arguments, experiment, console), out, threads_of(arguments));
     console.out << out << '\n';
     return 0;
 }
@@ -79,15 +55,18 @@ int make_frames(const Arguments &arguments, Console &console) {
 } // namespace
 
 const Command &reduce_command() {
-    static const Command command{
-        "reduce",
-        "FILE.lua",
-        "turns runs into tidy tables: curves, end points, entropies, claims",
-        "Reads all complete runs of the experiment below --runs and writes CSV tables, the manifest last; "
-        "planula\n"
-        "columns explains every column. Claims whose data are not all there stay open.",
-        reduce_options,
-        reduce_runs};
+    static const Command command{"reduce",
+                                 "FILE.lua",
+                                 "turns runs into tidy tables: curves, end points, entropies, claims",
+                                 "Reads the runs below --runs that are this experiment's and have at least "
+                                 "its generations, as they were after "
+                                 "these\n(--generations 400 shows runs of 800 as they were at 400), says "
+                                 "which folders it leaves out and why, and "
+                                 "writes CSV\ntables, the manifest last; planula columns explains every "
+                                 "column. Claims whose data are not all there "
+                                 "stay open.",
+                                 reduce_options,
+                                 reduce_runs};
     return command;
 }
 
@@ -108,7 +87,7 @@ const Command &witness_command() {
         "witness",
         "FILE.lua",
         "lives the champion of every run again at finer time steps and in Bullet",
-        "Reads all complete runs of the experiment below --runs and writes witness.csv, a row for each "
+        "Reads the runs as planula reduce does and writes witness.csv, a row for each "
         "champion, and\n"
         "engines.csv, a row for each setting. A champion whose distance changes by more than the parameter\n"
         "exploit_bound at half the step is flagged as an integration exploit, one that stirs on while its "

@@ -5,7 +5,6 @@
 #include "record/csv.h"
 #include "scripting/commands.h"
 
-#include <algorithm>
 #include <ostream>
 
 namespace planula {
@@ -15,16 +14,13 @@ namespace {
 constexpr Option options[] = {
     {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
     {"out", "DIR", "where sensitivity.csv goes (default: build/data)"},
+    chosen_seeds_option,
+    {"parameter", "NAME", "only this parameter; may be repeated", true},
     generations_option,
     population_option,
     set_option,
     threads_option,
 };
-
-const ParameterRow &row_of(std::string_view name) {
-    const auto rows = parameter_rows();
-    return *std::find_if(rows.begin(), rows.end(), [&](const auto &row) { return row.name == name; });
-}
 
 class SensitivityCommand {
   public:
@@ -34,17 +30,19 @@ class SensitivityCommand {
 
     int run() {
         const SensitivityPlan &plan = experiment_.sensitivity;
-        std::vector<std::string> names = plan.parameters;
+        std::vector<std::string> names = arguments_.all("parameter");
+        for (const std::string &name : names) parameter_row(name);
+        if (names.empty()) names = plan.parameters;
         if (names.empty())
             for (const std::string_view name : assumed_parameters()) names.emplace_back(name);
-        samples_ = draw_samples(experiment_.settings, runs_folder(arguments_, "runs", experiment_),
+        const std::string out = arguments_.text("out", "build/data");
+        const FolderLock held = hold_for_tables(out);
+        samples_ = draw_samples(experiment_.settings, choice_of(arguments_, experiment_, console_),
                                 plan.sample, threads_);
         for (std::size_t i = 0; i < names.size(); ++i) {
             console_.err << "sensitivity: " << names[i] << ", " << i + 1 << " of " << names.size() << '\n';
-            for (const double factor : plan.factors) vary_all(row_of(names[i]), factor);
+            for (const double factor : plan.factors) vary_all(parameter_row(names[i]), factor);
         }
-        const std::string out = arguments_.text("out", "build/data");
-        make_folder(out);
         write_table<SensitivityRow>(out, rows_);
         console_.out << out << '\n';
         return 0;

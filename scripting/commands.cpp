@@ -29,8 +29,9 @@ std::string help() {
     return text +
            "\n  planula COMMAND --help   explains one of them\n"
            "  planula --version\n\n"
-           "exit codes: 0 done, 2 usage, 65 bad script or data, 70 internal, 73 cannot create or in use,\n"
-           "            74 input or output failed, 75 stopped: the same command goes on\n";
+           "exit codes: 0 done, 2 usage, 65 bad script or data, 70 internal, 73 cannot create, in use, or "
+           "another\n"
+           "            run's folder, 74 input or output failed, 75 stopped: the same command resumes\n";
 }
 
 std::string version_line() {
@@ -76,10 +77,10 @@ std::uint64_t seed_of(const std::string &text) {
 } // namespace
 
 std::vector<const Command *> all_commands() {
-    return {&run_command(),         &status_command(), &check_command(),     &describe_command(),
-            &reduce_command(),      &frames_command(), &witness_command(),   &lineage_command(),
-            &sensitivity_command(), &genome_command(), &signature_command(), &pace_command(),
-            &parameters_command(),  &columns_command()};
+    return {&run_command(),         &status_command(), &check_command(),      &describe_command(),
+            &reduce_command(),      &frames_command(), &witness_command(),    &lineage_command(),
+            &sensitivity_command(), &genome_command(), &verify_command(),     &merge_command(),
+            &signature_command(),   &pace_command(),   &parameters_command(), &columns_command()};
 }
 
 int run_program(const std::vector<std::string> &words, Console &console) {
@@ -143,6 +144,14 @@ std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment
     std::vector<std::uint64_t> seeds;
     for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
     return seeds;
+}
+
+RunChoice choice_of(const Arguments &arguments, const Experiment &experiment, Console &console) {
+    RunChoice choice;
+    choice.folder = runs_folder(arguments, "runs", experiment);
+    if (arguments.has("seeds")) choice.seeds = seeds_of(arguments, experiment);
+    choice.tell = [&console](const std::string &line) { console.err << line << '\n'; };
+    return choice;
 }
 
 int threads_of(const Arguments &arguments) { return arguments.whole("threads", 1, hardware_threads()); }

@@ -21,6 +21,8 @@ const Command &sensitivity_command();
 const Command &status_command();
 const Command &lineage_command();
 const Command &genome_command();
+const Command &verify_command();
+const Command &merge_command();
 const Command &signature_command();
 const Command &pace_command();
 const Command &parameters_command();
@@ -48,12 +50,30 @@ inline constexpr Option lanes_option{
     "how many numbers are computed at once: scalar, sse2, avx2 or avx512; the results "
     "do not depend on it (default: the most that this processor can)"};
 
+inline constexpr Option chosen_seeds_option{"seeds", "A:B|N",
+                                            "only runs of these seeds; each that is missing is told"};
+
 /// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
 Overrides overrides_of(const Arguments &arguments);
 /// Loads the experiment file that is the operand; `changes` come after those of the command line.
 Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes = {});
 /// --seeds A:B or N; without it 1 … the parameter `seeds`. Throws UsageError.
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
+/// One run that a command is asked for.
+struct PlannedRun {
+    std::size_t setting; // its place in the experiment
+    std::uint64_t seed;
+};
+/// What --seeds, --only and --part ask for: seed by seed, so that a command which is stopped leaves all settings alike.
+/// Throws UsageError.
+std::vector<PlannedRun> runs_of(const Arguments &arguments, const Experiment &experiment);
+/// --levels, ascending; nothing without the option. Throws UsageError.
+std::vector<int> levels_of(const Arguments &arguments);
+/// The experiment that planula run is asked for. With levels, the last of them is the length that a script's checks are
+/// made for.
+Experiment experiment_to_run(const Arguments &arguments, const Console &console);
+/// The runs that --runs and --seeds choose, and console.err to tell of those left out.
+RunChoice choice_of(const Arguments &arguments, const Experiment &experiment, Console &console);
 /// --threads, or all of the machine.
 int threads_of(const Arguments &arguments);
 /// From now on --lanes, if given. Throws UsageError with the nearest name.

@@ -7,6 +7,7 @@
 #include "scripting/wrap.h"
 
 #include <cstdlib>
+#include <ctime>
 
 #include <luajit.h>
 
@@ -16,6 +17,19 @@ namespace {
 
 constexpr int instructions_between_checks = 100;
 constexpr int deepest_calls = 150; // from C
+
+// Processor time of this thread, in seconds: it stands still while the process is stopped or others have the processor.
+double worked_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    constexpr double nanosecond = 1e-9;
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * nanosecond;
+}
+
+std::chrono::steady_clock::time_point from_now(double seconds) {
+    return std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                  std::chrono::duration<double>(seconds));
+}
 
 // "name:line: " of the innermost running Lua function.
 std::string position(lua_State *L) {
@@ -68,15 +82,22 @@ void Host::begin_call(const Limits &allowed) {
     depth = 0;
     exhausted = Exhausted::no;
     where.clear();
-    deadline =
-        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                               std::chrono::duration<double>(limits.seconds));
+    began = worked_seconds();
+    deadline = from_now(limits.seconds);
 }
 
 void Host::exhaust(Exhausted what) {
     if (exhausted != Exhausted::no) return;
     exhausted = what;
     if (state) where = position(state);
+}
+
+void Host::look_at_work() {
+    const double left = limits.seconds - (worked_seconds() - began);
+    if (left > 0)
+        deadline = from_now(left);
+    else
+        exhaust(Exhausted::seconds);
 }
 
 void Host::go_deeper(lua_State *L) {
@@ -89,7 +110,7 @@ void Host::spend(lua_State *L, std::int64_t work) {
     if (instructions > limits.instructions)
         exhaust(Exhausted::instructions);
     else if (work >= instructions_between_checks && std::chrono::steady_clock::now() > deadline)
-        exhaust(Exhausted::seconds);
+        look_at_work();
     if (exhausted != Exhausted::no) luaL_error(L, "the script exceeds its limits");
 }
 

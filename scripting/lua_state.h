@@ -34,7 +34,7 @@ struct Limits {
     std::size_t memory = 64u << 20;         // bytes held at once
     std::size_t allocated = 512u << 20;     // bytes asked for during one call
     std::int64_t instructions = 20'000'000; // during one call
-    double seconds = 3;                     // of one call
+    double seconds = 3;                     // of a processor, during one call
 };
 
 /// Which limit a call ran into.
@@ -48,7 +48,8 @@ struct Host {
     lua_State *state = nullptr;
     std::size_t held = 0, allocated = 0;
     std::int64_t instructions = 0;
-    std::chrono::steady_clock::time_point deadline;
+    double began = 0;                               // processor time of this thread when the call began
+    std::chrono::steady_clock::time_point deadline; // not earlier can the call have used its seconds
     Exhausted exhausted = Exhausted::no;
     std::string where; // "name:line: " of the moment of exhaustion
     int depth = 0;     // of calls from the script through C back into it, which take the stack of the machine
@@ -60,6 +61,8 @@ struct Host {
     /// Counts `work` instructions; if that is too much, notes where and raises a Lua error.
     void spend(lua_State *L, std::int64_t work);
     void exhaust(Exhausted what);
+    /// After the deadline: ends the call, or sets the deadline anew if the processor did other things meanwhile.
+    void look_at_work();
     /// Counts a function of C that calls back into the script, one level deeper than `depth` was. Raises a Lua error
     /// if there are too many; who catches an error puts the depth back.
     void go_deeper(lua_State *L);

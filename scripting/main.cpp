@@ -3,12 +3,27 @@
 // in.
 #include "scripting/commands.h"
 
+#include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <iostream>
 
+#include <fcntl.h>
 #include <unistd.h>
 
+namespace {
+
+/// A launcher may close the standard descriptors; the files that a run opens must not get their numbers.
+void open_standard_descriptors() {
+    for (int file = 0; file <= 2; ++file)
+        if (::fcntl(file, F_GETFD) == -1 && errno == EBADF && ::open("/dev/null", O_RDWR) != file)
+            std::abort(); // the lowest free number is the one that was closed
+}
+
+} // namespace
+
 int main(int count, char **words) {
+    open_standard_descriptors();
     // A reader that goes away is an error to report, not a reason to die.
     std::signal(SIGPIPE, SIG_IGN);
     std::error_code unknown;

@@ -19,14 +19,15 @@ namespace {
 
 constexpr std::string_view setting_keys[] = {"name",    "title",       "actuation",  "search",
                                              "engine",  "environment", "parameters", "fitness",
-                                             "penalty", "behaviour",   "start"};
+                                             "penalty", "behaviour",   "start",      "record"};
 constexpr std::string_view start_keys[] = {"generations", "behaviour"};
 constexpr std::string_view experiment_keys[] = {
     "name",    "title",   "actuation", "search", "engine",     "environment", "parameters",
-    "fitness", "penalty", "behaviour", "start",  "statistics", "sensitivity"};
-constexpr std::string_view design_keys[] = {"name",     "title",      "parameters",
-                                            "settings", "statistics", "sensitivity"};
+    "fitness", "penalty", "behaviour", "start",  "statistics", "sensitivity", "record"};
+constexpr std::string_view design_keys[] = {"name",       "title",       "parameters", "settings",
+                                            "statistics", "sensitivity", "record"};
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
+constexpr std::string_view record_names[] = {"full", "sample"};
 constexpr std::string_view hook_names[] = {"fitness", "penalty", "behaviour"};
 
 // Fresh functions of a setting, and the judge that calls them.
@@ -42,7 +43,7 @@ class Schema {
     Schema(std::shared_ptr<Sources> sources, const Overrides &overrides)
         : lua_(sources, sources->script()), overrides_(overrides), problems_(*sources) {
         experiment_.sources = std::move(sources);
-        experiment_.code_sources = experiment_.sources->all().size();
+        experiment_.overrides = overrides;
     }
 
     Experiment read() {
@@ -58,9 +59,10 @@ class Schema {
         if (several && problems_.count() == problems_before)
             check_at(reader.at("name"), problems_, [&] { check_name("an experiment", experiment_.name); });
         experiment_.title = reader.text("title");
-        if (several)
+        if (several) {
+            record_ = recording(reader, Recording::full);
             read_settings(reader);
-        else
+        } else
             read_setting(reader, nullptr);
         if (!several && experiment_.title.empty() && !experiment_.settings.empty())
             experiment_.title = experiment_.settings.front().title;
@@ -133,6 +135,7 @@ class Schema {
         }
         read_hooks(reader, spec);
         read_start(reader, spec);
+        spec.record = recording(reader, record_);
         // Rules between the parts, once each part is right.
         if (problems_.count() == problems_before)
             check_at(reader.place(), problems_, [&] { check_spec(spec); });
@@ -145,6 +148,13 @@ class Schema {
         if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
             reader.report(key, reader.at(key).words + ": " + none_of(name, names));
         return name;
+    }
+
+    /// What a `record` says, or else the fallback.
+    static Recording recording(Reader &reader, Recording fallback) {
+        const std::string name = choice(reader, "record", false, record_names);
+        if (name.empty()) return fallback;
+        return name == name_of(Recording::full) ? Recording::full : Recording::sample;
     }
 
     void read_actuation(Reader &reader, Spec &spec) {
@@ -233,7 +243,8 @@ class Schema {
     Problems problems_;
     Experiment experiment_;
     std::vector<std::shared_ptr<Hooks>> start_hooks_;
-    Parameters design_; // of the first setting, as the script states them
+    Recording record_ = Recording::full; // of settings that state none
+    Parameters design_;                  // of the first setting, as the script states them
 };
 
 } // namespace

@@ -9,10 +9,11 @@
 // - parameters: {name = value}, departures from the standard values
 // - fitness, penalty, behaviour: functions (scripting/hooks.h)
 // - start: {generations, behaviour}, if generation 0 is evolved by growth alone (experiment/start.h)
+// - record: "full" (if not given) or "sample": how many individuals a run records (experiment/sample.h)
 // - statistics: a table, or the name of a module that returns one (scripting/schema_statistics.h)
 // - sensitivity: a table (scripting/schema_sensitivity.h)
 // - settings: instead of actuation … start, a list of tables with a name, a title and these keys;
-//   `parameters` beside `settings` holds for all of them
+//   `parameters` and `record` beside `settings` hold for all of them
 //
 // A number of an environment may be the name of a parameter, which then stands for its value. Every unknown
 // key, wrong kind and broken rule is reported, all together, each with its line and the nearest name.
@@ -20,7 +21,7 @@
 
 #include "analysis/analysis.h"
 #include "experiment/spec.h"
-#include "record/run_writer.h"
+#include "record/run_reader.h"
 #include "scripting/hooks.h"
 #include "scripting/schema_sensitivity.h"
 #include "scripting/sources.h"
@@ -33,6 +34,9 @@
 
 namespace planula {
 
+/// Parameters set from outside the script, in order; later ones win.
+using Overrides = std::vector<std::pair<std::string, double>>;
+
 struct Experiment {
     std::string name, title;
     std::vector<Spec> settings;
@@ -40,13 +44,10 @@ struct Experiment {
     Analysis analysis;
     SensitivityPlan sensitivity;
     std::shared_ptr<Sources> sources;
-    std::size_t code_sources = 0; // so many of `sources` decide results; the others only state statistics
+    Overrides overrides;
 
     const Spec *find(std::string_view setting) const;
 };
-
-/// Parameters set from outside the script, in order; later ones win.
-using Overrides = std::vector<std::pair<std::string, double>>;
 
 /// Loads, checks and tries out an experiment file. Throws InputError with everything that is wrong, each on a
 /// line that starts with name:line, where it has one.
@@ -61,11 +62,11 @@ struct OwnSetting {
 };
 OwnSetting own_setting(const Experiment &experiment, std::size_t index);
 
-/// The resolved setting as Lua text that depends on nothing but what decides its results: every parameter,
-/// the environment, actuation, search, and the hashes of the script and the modules it requires.
-std::string resolved_text(const Experiment &experiment, const Spec &setting);
+/// What a run's folder keeps of the experiment: the script, every module that it requires, and the overrides.
+RunSources sources_of(const Experiment &experiment);
 
-/// What a run directory keeps of the experiment.
-RunIdentity identity_of(const Experiment &experiment, const Spec &setting);
+/// The setting of a run as its folder states it, with functions of its own. Throws InputError if it is not the run that
+/// the folder's identity.csv names: of another model, say.
+OwnSetting recorded_setting(const RecordedRun &run);
 
 } // namespace planula

@@ -11,7 +11,9 @@
 #include "experiment/spec.h"
 #include "parameters/parameters.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,7 +49,7 @@ struct Analysis {
 /// Rank-sum tests of a against b (effect: A12 with bootstrap interval; two-sided p):
 ///   best_at_generation  best fitness in that generation
 ///   size_entropy        Eq. 8 over the history up to that generation
-///   fitness_spread      interquartile range of fitness in that generation, over the run's best fitness
+///   fitness_spread      interquartile range of fitness in that generation, over its highest fitness
 ///   direction           mean resultant length of the end directions up to that generation
 ///   side_switches       how often the generation's best changed sides up to that generation
 /// Expecting greater or less, p below the significance and A12 beyond 1/2 on that side reproduces, on the
@@ -70,9 +72,19 @@ std::span<const std::string_view> claim_tests();
 /// Throws InputError with the rule, the value and the nearest name for whatever is wrong in an analysis.
 void check_analysis(const Analysis &analysis, std::span<const Spec> settings);
 
-/// Reads the complete runs below `runs`, after checking their hashes, and writes the tables into `out`, the
-/// manifest last. Throws InputError for damaged or foreign runs, and if there is none at all.
-void reduce(const Analysis &analysis, std::span<const Spec> settings, const std::filesystem::path &runs,
+/// The runs that an analysis reads: of each setting those below <folder>/<setting> that have its identity, at least its
+/// generations, and one of these seeds.
+struct RunChoice {
+    std::filesystem::path folder;
+    std::vector<std::uint64_t> seeds; // empty: all that are there
+    /// Told, a line each, which folder is left out and why, and which run of the seeds is missing.
+    std::function<void(const std::string &line)> tell = [](const std::string &) {};
+};
+
+/// Reads the chosen runs as they were after the settings' generations, after checking their hashes, and writes the
+/// tables into `out`, the manifest last. Throws InputError for damaged runs and if there is none at all, and CreateError
+/// if another process writes into `out` or that is the folder of a run.
+void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunChoice &runs,
             const std::filesystem::path &out);
 
 /// Lives the best individual of each setting again, from best_genomes.csv in `data`, and writes the frame

@@ -2,10 +2,12 @@
 #include "analysis/analysis.h"
 #include "analysis/relive.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "body/body.h"
 #include "development/embryo.h"
 #include "record/csv.h"
 #include "record/genome_table.h"
+#include "record/run_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -145,6 +147,10 @@ class Camera {
 void film(const Spec &spec, const Recorded &recorded, FrameTables &tables) {
     Camera camera(spec, tables);
     const Life life = relive(recorded, spec, camera.watch());
+    if (const double fitness = spec.judge(life).fitness; fitness != recorded.fitness)
+        throw InputError(recorded.file.string() + ": the best individual of '" + spec.name +
+                         "' has fitness " + to_text(recorded.fitness) + " there, and is judged to have " +
+                         to_text(fitness));
     tables.describe({.setting = spec.name,
                      .fitness = recorded.fitness,
                      .displacement = life.displacement(),
@@ -158,7 +164,7 @@ void film(const Spec &spec, const Recorded &recorded, FrameTables &tables) {
 
 void write_frames(std::span<const Spec> settings, const std::filesystem::path &data,
                   const std::filesystem::path &out) {
-    make_folder(out);
+    const FolderLock held = hold_for_tables(out);
     FrameTables tables(out);
     for (const Spec &spec : settings)
         if (const auto recorded = read_recorded(data, spec)) film(spec, *recorded, tables);

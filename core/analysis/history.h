@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the analysis knows of one run, gathered while its tables are read once, row by row: memory does not
-// grow with the number of individuals.
+// grow with the number of individuals. Everything but the rows of single individuals comes from tables that are
+// the same whether a run is recorded in full or as a sample.
 #pragma once
 
 #include "base/text.h"
@@ -21,46 +22,52 @@ struct RunFacts {
     double size_entropy = 0;        // Eq. 8: cell counts of all individuals with fitness above 0, nats
     std::int64_t viable = 0;        // those individuals
     double valid_share = 0;         // of the last of these generations
-    double fitness_spread = 0;      // interquartile range over the champion's fitness, valid, last generation
+    double fitness_spread = 0;      // interquartile range over the highest fitness, valid, last generation
     double direction_resultant = 0; // mean resultant length of the end directions of all that moved
     int side_switches = 0;          // of the best of each generation
 };
 
+/// A run as it was after some generations, which may be fewer than it has.
 struct RunHistory {
     std::int64_t seed = 0;
-    ChampionRow crowned;                 // the champion of the whole run, whose genome best_genome.csv holds
     std::vector<double> best;            // fitness of each generation's best
     std::vector<Vec2d> best_moved;       // and its displacement from rest to end
     std::vector<double> shape_diversity; // of each generation
     GenerationRow first, last;
     std::map<int, RunFacts> after;      // by number of generations
-    std::vector<double> fitness_shares; // of the last generation, by classes of fitness over the champion's
+    std::vector<double> fitness_shares; // of the last generation, by classes of fitness over the highest
 };
 
 /// The champions of the run, each with a later generation than the one before; the first is of generation 0.
 /// Throws InputError with file and line if they are not that.
 std::vector<ChampionRow> read_champions(const RecordedRun &run);
 
+/// The champion after so many generations.
+const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations);
+
 /// Reads a run up to the last of the marks, which ascend from at least 1 to at most the run's generations.
-/// `after` has an entry for each mark. Throws InputError with file and line if the tables are not those of a
-/// run.
+/// `after` has an entry for each mark. `fitness_classes` divides 100. Throws InputError with file and line if the
+/// tables are not those of a run.
 RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes);
 
-/// Calls visit(row) for each individual of the first generations, in order. Throws InputError with file and
-/// line if they are not all there.
-
+/// Calls visit(row) for each recorded individual of the first generations, in order. Throws InputError with file and
+/// line if they are not in order, or not all there in a run that is recorded in full.
 template <class Visit> void each_individual(const RecordedRun &run, int generations, Visit &&visit) {
     TableReader<IndividualRow> reader(run.folder);
-    IndividualRow row;
-    for (int generation = 0; generation < generations; ++generation)
-        for (int slot = 0; slot < run.population; ++slot) {
-            if (!reader.next(row)) reader.refuse("individuals are missing at the end");
-            if (row.generation != generation || row.slot != slot)
-                reader.refuse("generation " + to_text(row.generation) + ", slot " + to_text(row.slot) +
-                              " where generation " + to_text(generation) + ", slot " + to_text(slot) +
-                              " must follow");
-            visit(row);
-        }
+    int generation = 0, slot = -1;
+    for (IndividualRow row; reader.next(row) && row.generation < generations; visit(row)) {
+        const bool is_new = row.generation > generation;
+        const bool follows = row.slot < run.population && (is_new ? row.slot >= 0 : row.slot > slot);
+        const bool is_next =
+            is_new ? slot + 1 == run.population && row.generation == generation + 1 && row.slot == 0
+                   : row.slot == slot + 1;
+        if (row.generation < generation || !follows || (run.record == Recording::full && !is_next))
+            reader.refuse("generation " + to_text(row.generation) + ", slot " + to_text(row.slot) +
+                          " does not follow generation " + to_text(generation) + ", slot " + to_text(slot));
+        generation = row.generation, slot = row.slot;
+    }
+    if (run.record == Recording::full && (generation + 1 != generations || slot + 1 != run.population))
+        reader.refuse("individuals are missing at the end");
 }
 
 } // namespace planula

@@ -40,16 +40,24 @@ std::vector<LineageRow> lineage(const RecordedRun &run, std::int64_t genome, boo
     each_individual(run, run.generations,
                     [&](const IndividualRow &row) { individuals.emplace(row.genome, lineage_row(row)); });
     const std::string file = (run.folder / IndividualRow::file_name).string();
+    // A sample may lack any of them.
+    const auto refuse_missing = [&](std::int64_t id, const std::string &otherwise) {
+        if (run.record == Recording::full) throw InputError(file + ": " + otherwise);
+        throw InputError(
+            file + ": genome " + to_text(id) +
+            " is not in the sample that the run has recorded; a lineage needs record = \"full\"");
+    };
     auto at = individuals.find(genome);
-    if (at == individuals.end()) throw InputError(file + ": the run never had a genome " + to_text(genome));
+    if (at == individuals.end()) refuse_missing(genome, "the run never had a genome " + to_text(genome));
 
     std::vector<LineageRow> line{at->second};
     for (std::int64_t mother = at->second.mother; mother != -1; mother = at->second.mother) {
         const std::int64_t child = at->first;
         at = individuals.find(mother);
-        if (at == individuals.end() || mother >= child)
-            throw InputError(file + ": genome " + to_text(child) + " has the mother " + to_text(mother) +
-                             ", who is not born before it");
+        const std::string unborn =
+            "genome " + to_text(child) + " has the mother " + to_text(mother) + ", who is not born before it";
+        if (mother >= child) throw InputError(file + ": " + unborn);
+        if (at == individuals.end()) refuse_missing(mother, unborn);
         if (with_copies || !is_copy(at->second)) line.push_back(at->second);
     }
     std::reverse(line.begin(), line.end());

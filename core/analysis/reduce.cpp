@@ -3,8 +3,12 @@
 #include "analysis/claims.h"
 #include "analysis/survey.h"
 #include "analysis/tables.h"
+#include "base/error.h"
 #include "base/hash.h"
 #include "base/parallel.h"
+#include "base/text.h"
+#include "experiment/sample.h"
+#include "record/chain.h"
 #include "record/ledger.h"
 #include "record/output.h"
 
@@ -45,9 +49,21 @@ void read_histories(const Analysis &analysis, std::vector<SettingRuns> &settings
     }
     parallel_for(static_cast<int>(tasks.size()), reading_threads(), [&](int i) {
         const auto &[setting, run, marks] = tasks[i];
-        verify(setting->runs[run]);
+        check_files(setting->runs[run]);
         setting->histories[run] = read_history(setting->runs[run], marks, analysis.fitness_classes);
     });
+}
+
+/// The sample that the analysis wants of a run must be among what the run has recorded.
+void check_samples(const Analysis &analysis, std::span<const SettingRuns> settings) {
+    if (analysis.sample_share <= recorded_share && analysis.sample_least <= recorded_least) return;
+    for (const SettingRuns &setting : settings)
+        for (const RecordedRun &run : setting.runs)
+            if (run.record == Recording::sample)
+                throw InputError(run.folder.string() + ": recorded as a sample of " +
+                                 to_text(recorded_share) + ", at least " + to_text(recorded_least) +
+                                 " individuals; sample_share = " + to_text(analysis.sample_share) +
+                                 " and sample_least = " + to_text(analysis.sample_least) + " ask for more");
 }
 
 /// Writes a table of what make(setting) returns for each setting, in their order.
@@ -130,7 +146,8 @@ Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> se
             ++runs;
             evaluations += std::int64_t{setting.generations} * run.population;
             results.text(setting.spec->name).number(static_cast<std::uint64_t>(run.seed));
-            results.text(run.manifest.text("results_sha256"));
+            for (const ChainRow &row : read_chain(run.folder))
+                if (row.generation < setting.generations) results.text(row.content);
         }
     }
     const auto count = static_cast<std::int64_t>(settings.size());
@@ -157,10 +174,12 @@ Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> se
 
 } // namespace
 
-void reduce(const Analysis &analysis, std::span<const Spec> settings, const std::filesystem::path &runs,
+void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunChoice &runs,
             const std::filesystem::path &out) {
     check_analysis(analysis, settings);
+    const FolderLock held = hold_for_tables(out);
     std::vector<SettingRuns> found = survey(settings, runs);
+    check_samples(analysis, found);
     read_histories(analysis, found);
     std::vector<const SettingRuns *> present, explored;
     for (const SettingRuns &setting : found) {
@@ -172,7 +191,6 @@ void reduce(const Analysis &analysis, std::span<const Spec> settings, const std:
     }
 
     // A manifest stands for tables that are all of one making.
-    make_folder(out);
     remove_file(out / ManifestRow::file_name);
     write_settings(analysis, present, out);
     write_exploration(analysis, explored, out);

@@ -6,7 +6,9 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "evaluation/live.h"
+#include "record/kept_state.h"
 #include "statistics/rank_correlation.h"
 #include "statistics/summary.h"
 
@@ -31,13 +33,22 @@ struct Drawn {
     Genome genome;
 };
 
+/// The genomes of the last generation that the setting asks for.
+std::vector<Genome> last_population(const RecordedRun &run, const Spec &spec) {
+    const int last = spec.parameters.generations - 1;
+    if (last + 1 != run.generations && !is_kept_generation(last))
+        throw InputError(run.folder.string() + ": the genomes of generation " + to_text(last) +
+                         " are not kept in a run of " + to_text(run.generations) + " generations");
+    return read_run_state(run, spec, last).population.genomes;
+}
+
 /// The `count` lowest lots of all last generations, in the order of seeds and slots.
 std::vector<Genome> draw(const SettingRuns &setting, int count) {
     std::vector<Drawn> drawn;
     for (const RecordedRun &run : setting.runs) {
-        verify(run);
+        check_files(run);
         int slot = 0;
-        for (Genome &genome : read_last_population(run)) {
+        for (Genome &genome : last_population(run, *setting.spec)) {
             Stream stream(bootstrap_seed(setting.spec->name + " sensitivity"),
                           static_cast<std::uint32_t>(run.seed), static_cast<std::uint32_t>(slot),
                           Purpose::sampling);
@@ -76,7 +87,7 @@ std::vector<double> displacements(std::span<const Life> lives) {
 
 } // namespace
 
-std::vector<Sample> draw_samples(std::span<const Spec> settings, const std::filesystem::path &runs, int count,
+std::vector<Sample> draw_samples(std::span<const Spec> settings, const RunChoice &runs, int count,
                                  int threads) {
     std::vector<Sample> samples;
     for (const SettingRuns &setting : survey(settings, runs)) {

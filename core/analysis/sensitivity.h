@@ -5,6 +5,7 @@
 // to bodies and gaits that suit the standard one, not to what would have evolved with the other.
 #pragma once
 
+#include "analysis/analysis.h"
 #include "experiment/spec.h"
 #include "genome/genome.h"
 #include "record/columns.h"
@@ -24,10 +25,10 @@ struct Sample {
     std::vector<Life> lives;
 };
 
-/// For each setting with runs below `runs`, up to `count` individuals drawn from the last generations of all
+/// For each setting with chosen runs, up to `count` individuals drawn from the last generations of all
 /// its complete runs, by chance that depends on the setting's name, the seeds and the slots alone. Throws
-/// InputError for damaged or foreign runs and if there is no run at all.
-std::vector<Sample> draw_samples(std::span<const Spec> settings, const std::filesystem::path &runs, int count,
+/// InputError for damaged runs and if there is no run at all.
+std::vector<Sample> draw_samples(std::span<const Spec> settings, const RunChoice &runs, int count,
                                  int threads);
 
 /// Whether a life in this setting can depend on the parameter: it is one of development, network, body, gait,

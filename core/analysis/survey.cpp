@@ -10,25 +10,56 @@
 
 namespace planula {
 
-std::vector<SettingRuns> survey(std::span<const Spec> settings, const std::filesystem::path &runs) {
-    std::vector<SettingRuns> found;
+namespace {
+
+bool is_chosen(const RunChoice &choice, std::int64_t seed) {
+    return choice.seeds.empty() ||
+           std::count(choice.seeds.begin(), choice.seeds.end(), static_cast<std::uint64_t>(seed)) > 0;
+}
+
+/// Whether a line "folder: reason" is of the folder of a chosen seed.
+bool is_about_chosen(const Spec &spec, const RunChoice &choice, const std::string &line) {
+    return choice.seeds.empty() ||
+           std::any_of(choice.seeds.begin(), choice.seeds.end(), [&](std::uint64_t seed) {
+               return line.starts_with(run_folder(choice.folder, spec.name, seed).string() + ": ");
+           });
+}
+
+/// Tells of each seed that is asked for and has no run.
+void tell_missing(const Spec &spec, const RunChoice &choice, std::span<const RecordedRun> runs) {
+    for (const std::uint64_t seed : choice.seeds)
+        if (std::none_of(runs.begin(), runs.end(), [&](const RecordedRun &run) {
+                return static_cast<std::uint64_t>(run.seed) == seed;
+            }))
+            choice.tell("missing: " + run_folder(choice.folder, spec.name, seed).string());
+}
+
+std::vector<RecordedRun> chosen_runs(const Spec &spec, const RunChoice &choice) {
+    FoundRuns found = find_runs(choice.folder, spec, spec.parameters.generations);
+    for (const std::string &line : found.left_out)
+        if (is_about_chosen(spec, choice, line)) choice.tell("left out: " + line);
+    std::erase_if(found.runs, [&](const RecordedRun &run) { return !is_chosen(choice, run.seed); });
+    tell_missing(spec, choice, found.runs);
+    return std::move(found.runs);
+}
+
+} // namespace
+
+std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice &choice) {
+    std::vector<SettingRuns> all;
     bool any = false;
     for (const Spec &spec : settings) {
-        SettingRuns &setting = found.emplace_back();
+        SettingRuns &setting = all.emplace_back();
         setting.spec = &spec;
-        setting.runs = find_runs(runs, spec.name);
+        setting.runs = chosen_runs(spec, choice);
         if (setting.runs.empty()) continue;
-        any = true;
         setting.generations = spec.parameters.generations;
-        for (const RecordedRun &run : setting.runs) {
-            if (run.population != spec.parameters.population)
-                throw InputError(run.folder.string() + " has a population of " + to_text(run.population) +
-                                 ", and the experiment one of " + to_text(spec.parameters.population));
-            setting.generations = std::min(setting.generations, run.generations);
-        }
+        any = true;
     }
-    if (!any) throw InputError("there is no complete run below " + runs.string());
-    return found;
+    if (!any)
+        throw InputError("there is no run of this experiment below " + choice.folder.string() + " that has " +
+                         to_text(settings.front().parameters.generations) + " generations");
+    return all;
 }
 
 std::vector<std::size_t> ranking(const SettingRuns &setting) {

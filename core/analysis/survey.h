@@ -2,6 +2,7 @@
 // The runs that there are of each setting of an experiment, and which of them stand for it.
 #pragma once
 
+#include "analysis/analysis.h"
 #include "analysis/history.h"
 #include "experiment/spec.h"
 
@@ -15,16 +16,15 @@ namespace planula {
 struct SettingRuns {
     const Spec *spec = nullptr;
     std::vector<RecordedRun> runs;     // by ascending seed
-    int generations = 0;               // that all runs have and the setting asks for; 0 without runs
+    int generations = 0;               // that the setting asks for, and all runs have; 0 without runs
     std::vector<RunHistory> histories; // of these runs, once they are read
 
     /// The histories' facts at the end.
     const RunFacts &outcome_of(std::size_t run) const { return histories[run].after.at(generations); }
 };
 
-/// Finds the complete runs of every setting. Throws InputError if a run's population is not the setting's,
-/// and if there is no run at all.
-std::vector<SettingRuns> survey(std::span<const Spec> settings, const std::filesystem::path &runs);
+/// Finds the chosen runs of every setting. Throws InputError if there is none at all.
+std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice &choice);
 
 /// Places of the runs in descending order of their champions' fitness; of equals the lower seed comes first.
 std::vector<std::size_t> ranking(const SettingRuns &setting);

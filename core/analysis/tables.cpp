@@ -2,7 +2,7 @@
 #include "analysis/tables.h"
 
 #include "analysis/chance.h"
-#include "base/random.h"
+#include "experiment/sample.h"
 #include "record/archive_table.h"
 #include "record/genome_table.h"
 #include "statistics/bootstrap.h"
@@ -143,9 +143,9 @@ std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting) {
 
 std::vector<BestGenomeRow> best_genome_rows(const SettingRuns &setting) {
     const std::size_t best = ranking(setting).front();
-    const ChampionRow &champion = setting.histories[best].crowned;
+    const ChampionRow &champion = setting.outcome_of(best).champion;
     std::vector<BestGenomeRow> rows;
-    for (const GenomeRow &gene : genome_rows(read_best_genome(setting.runs[best])))
+    for (const GenomeRow &gene : genome_rows(read_champion_genome(setting.runs[best], setting.generations)))
         rows.push_back({.setting = setting.spec->name,
                         .seed = setting.runs[best].seed,
                         .fitness = champion.fitness,
@@ -181,9 +181,8 @@ std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Represe
     const RecordedRun &run = setting.runs[chosen.run];
     std::vector<EndpointRow> rows;
     each_individual(run, setting.generations, [&](const IndividualRow &row) {
-        Stream stream(static_cast<std::uint64_t>(run.seed), static_cast<std::uint32_t>(row.generation),
-                      static_cast<std::uint32_t>(row.slot), Purpose::sampling);
-        if (!stream.chance(share) || row.outcome != name_of(Outcome::viable)) return;
+        const bool is_drawn = lot(static_cast<std::uint64_t>(run.seed), row.generation, row.slot) < share;
+        if (!is_drawn || row.outcome != name_of(Outcome::viable)) return;
         rows.push_back({setting.spec->name, run.seed, chosen.role, row.generation, row.end_x - row.rest_x,
                         row.end_y - row.rest_y});
     });
@@ -191,8 +190,8 @@ std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Represe
 }
 
 double sampled_share(const SettingRuns &setting, const Analysis &analysis) {
-    const double individuals = static_cast<double>(setting.generations) * setting.spec->parameters.population;
-    return std::min(1.0, std::max(analysis.sample_share, analysis.sample_least / individuals));
+    return sample_share(analysis.sample_share, analysis.sample_least, setting.spec->parameters.population,
+                        setting.generations);
 }
 
 std::vector<ArchivePointRow> archive_point_rows(const SettingRuns &setting) {

@@ -64,10 +64,11 @@ Difference widest(const Spec &spec, const Life &native, std::span<const Life> ot
 
 /// The row of a run; none if its champion is not viable.
 std::optional<WitnessRow> examine(const Spec &spec, const RecordedRun &run) {
-    verify(run);
-    const ChampionRow champion = read_champions(run).back();
-    const Recorded recorded{run.folder / ChampionRow::file_name, read_best_genome(run), champion.fitness,
-                            champion.displacement, champion.cells};
+    check_files(run);
+    const int generations = spec.parameters.generations;
+    const ChampionRow champion = champion_after(read_champions(run), generations);
+    const Recorded recorded{run.folder / ChampionRow::file_name, read_champion_genome(run, generations),
+                            champion.fitness, champion.displacement, champion.cells};
     const Life own = relive(recorded, spec);
     if (own.outcome != Outcome::viable) return std::nullopt;
 
@@ -162,12 +163,13 @@ EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions) {
     return row;
 }
 
-void witness(std::span<const Spec> settings, const std::filesystem::path &runs,
-             const std::filesystem::path &out, int threads) {
+void witness(std::span<const Spec> settings, const RunChoice &runs, const std::filesystem::path &out,
+             int threads) {
     struct Task {
         const Spec *spec;
         const RecordedRun *run;
     };
+    const FolderLock held = hold_for_tables(out);
     const std::vector<SettingRuns> found = survey(settings, runs);
     std::vector<Task> tasks;
     for (const SettingRuns &setting : found)
@@ -178,7 +180,6 @@ void witness(std::span<const Spec> settings, const std::filesystem::path &runs,
                  [&](int i) { rows[i] = examine(*tasks[i].spec, *tasks[i].run); });
 
     // The rows are in the order of settings and seeds, whichever thread made them.
-    make_folder(out);
     TableWriter<WitnessRow> champions(out);
     TableWriter<EngineRow> engines(out);
     auto next = rows.begin();

@@ -13,6 +13,7 @@
 // not viable has displacement 0: its change is that of all the way lost.
 #pragma once
 
+#include "analysis/analysis.h"
 #include "experiment/spec.h"
 #include "record/columns.h"
 
@@ -40,11 +41,11 @@ WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64
 /// What the champions of one setting come to.
 EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions);
 
-/// Lives the champions of all complete runs below `runs` on up to `threads` threads, and writes witness.csv
+/// Lives the champions of the chosen runs on up to `threads` threads, and writes witness.csv
 /// and engines.csv into `out`. Settings without runs have no rows; nor has a run without a viable individual
-/// in witness.csv. Throws InputError for damaged or foreign runs, for a champion whose life is not the
-/// recorded one, and if there is no run at all.
-void witness(std::span<const Spec> settings, const std::filesystem::path &runs,
-             const std::filesystem::path &out, int threads);
+/// in witness.csv. Throws InputError for damaged runs, for a champion
+/// whose life is not the recorded one, and if there is no run at all, and CreateError as reduce() does.
+void witness(std::span<const Spec> settings, const RunChoice &runs, const std::filesystem::path &out,
+             int threads);
 
 } // namespace planula

@@ -29,6 +29,10 @@ struct InternalError : Error {
 struct CreateError : Error {
     explicit CreateError(const std::string &message) : Error(73, message) {}
 };
+/// A folder that another process works in, or that holds something else than what is to come there: it stays as it is.
+struct RefusedError : CreateError {
+    using CreateError::CreateError;
+};
 /// A read or write that failed on the way.
 struct IoError : Error {
     explicit IoError(const std::string &message) : Error(74, message) {}

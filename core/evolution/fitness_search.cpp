@@ -26,6 +26,9 @@ Population FitnessSearch::next(const Population &population, std::span<const dou
 
 void FitnessSearch::save(StateWriter &writer) const { writer.group("fitness search"); }
 
-void FitnessSearch::load(StateReader &reader) { reader.group("fitness search"); }
+void FitnessSearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
+    reader.group("fitness search");
+    check_archive(archive, 0, 0, reader);
+}
 
 } // namespace planula

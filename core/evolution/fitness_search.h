@@ -15,7 +15,7 @@ class FitnessSearch final : public Search {
     Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
                     std::uint64_t seed) const override;
     void save(StateWriter &writer) const override;
-    void load(StateReader &reader) override;
+    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
 
   private:
     Parameters parameters_;

@@ -27,7 +27,8 @@ std::vector<double> genotypic_diversity(const Elites &pool, const Parameters &pa
 std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool, const Neighbours &neighbours,
                                                            const NoveltyArchive &archive) const {
     const auto fitness = [&](std::size_t index) {
-        return index < pool.size() ? pool.evaluations[index].fitness : archive.fitness(index - pool.size());
+        return index < pool.size() ? pool.evaluations[index].fitness
+                                   : archive.entries()[index - pool.size()].fitness;
     };
     const std::vector<double> genotypic = genotypic_diversity(pool, parameters_);
     std::vector<Objectives> result(pool.size());

@@ -18,7 +18,8 @@ std::vector<double> MapElitesSearch::score(const Population &population,
         const Evaluation &evaluation = evaluations[slot];
         if (!evaluation.valid() || !enters(evaluation)) continue;
         scores[slot] = enter(genome, evaluation);
-        archive_.push_back({population.generation, genome.id, evaluation.behaviour, scores[slot]});
+        archive_.push_back(
+            {population.generation, genome.id, evaluation.behaviour, scores[slot], evaluation.fitness});
     }
     return scores;
 }
@@ -64,17 +65,17 @@ void MapElitesSearch::save(StateWriter &writer) const {
     planula::save(elites_, writer);
     writer.group("archive").integer(static_cast<std::int64_t>(length_));
     writer.integer(static_cast<std::int64_t>(archive_.size()));
-    for (const ArchiveEntry &entry : archive_) planula::save(entry, writer);
 }
 
-void MapElitesSearch::load(StateReader &reader) {
+void MapElitesSearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
     *this = MapElitesSearch(parameters_);
     reader.group("map-elites search");
     const Elites elites = load_elites(reader);
     reader.group("archive");
-    length_ = static_cast<std::size_t>(reader.integer(0, std::numeric_limits<int>::max()));
-    for (std::size_t left = reader.count(archive_entry_bytes(length_)); left > 0; --left)
-        archive_.push_back(load_archive_entry(reader, length_));
+    constexpr int largest = std::numeric_limits<int>::max();
+    length_ = static_cast<std::size_t>(reader.integer(0, largest));
+    check_archive(archive, static_cast<std::size_t>(reader.integer(0, largest)), length_, reader);
+    archive_.assign(archive.begin(), archive.end());
 
     // The map follows from its elites.
     for (std::size_t i = 0; i < elites.size(); ++i) {

@@ -31,7 +31,7 @@ class MapElitesSearch final : public Search {
     bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_; }
     void save(StateWriter &writer) const override;
-    void load(StateReader &reader) override;
+    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
 
     /// One for each niche that was ever entered, in order of first entry.
     const Elites &elites() const { return elites_; }

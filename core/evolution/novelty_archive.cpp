@@ -2,6 +2,7 @@
 #include "evolution/novelty_archive.h"
 
 #include "base/check.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +11,14 @@
 
 namespace planula {
 
-void save(const ArchiveEntry &entry, StateWriter &writer) {
-    writer.integer(entry.generation).integer(entry.genome).real(entry.novelty);
-    for (const double value : entry.behaviour) writer.real(value);
-}
-
-ArchiveEntry load_archive_entry(StateReader &reader, std::size_t length) {
-    ArchiveEntry entry;
-    entry.generation = static_cast<int>(reader.integer(0, std::numeric_limits<int>::max()));
-    entry.genome = reader.integer(0, std::numeric_limits<std::int64_t>::max());
-    entry.novelty = reader.finite();
-    entry.behaviour.resize(length);
-    for (double &value : entry.behaviour) value = reader.finite();
-    return entry;
+void check_archive(std::span<const ArchiveEntry> archive, std::size_t count, std::size_t length,
+                   const StateReader &reader) {
+    if (archive.size() != count)
+        reader.refuse("its archive has " + to_text(static_cast<std::int64_t>(count)) + " entries, and not " +
+                      to_text(static_cast<std::int64_t>(archive.size())));
+    for (const ArchiveEntry &entry : archive)
+        if (entry.behaviour.empty() || entry.behaviour.size() != length)
+            reader.refuse("an entry of the archive has a behaviour of another length");
 }
 
 double novelty(std::span<const Neighbour> neighbours) {
@@ -60,8 +56,8 @@ void NoveltyArchive::extend(const Population &population, std::span<const Evalua
         run_ = added ? run_ + 1 : 0;
         if (!added) continue;
         added_any = true;
-        add({population.generation, population.genomes[slot].id, evaluations[slot].behaviour, novelty[slot]},
-            evaluations[slot].fitness);
+        add({population.generation, population.genomes[slot].id, evaluations[slot].behaviour, novelty[slot],
+             evaluations[slot].fitness});
         if (run_ > parameters_.archive_run) threshold_ *= parameters_.archive_raise;
     }
 
@@ -72,22 +68,17 @@ void NoveltyArchive::extend(const Population &population, std::span<const Evalua
     quiet_ = 0;
 }
 
-void NoveltyArchive::add(ArchiveEntry entry, double fitness) {
+void NoveltyArchive::add(ArchiveEntry entry) {
     index_.add(entry.behaviour);
     entries_.push_back(std::move(entry));
-    fitness_.push_back(fitness);
 }
 
 void NoveltyArchive::save(StateWriter &writer) const {
     writer.group("archive").real(threshold_).integer(run_).integer(quiet_);
     writer.integer(static_cast<std::int64_t>(length_)).integer(static_cast<std::int64_t>(entries_.size()));
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        planula::save(entries_[i], writer);
-        writer.real(fitness_[i]);
-    }
 }
 
-void NoveltyArchive::load(StateReader &reader) {
+void NoveltyArchive::load(StateReader &reader, std::span<const ArchiveEntry> entries) {
     constexpr int largest = std::numeric_limits<int>::max();
     *this = NoveltyArchive(parameters_);
     reader.group("archive");
@@ -98,12 +89,8 @@ void NoveltyArchive::load(StateReader &reader) {
     run_ = static_cast<int>(reader.integer(0, largest / 2));
     quiet_ = static_cast<int>(reader.integer(0, parameters_.archive_patience - 1));
     length_ = static_cast<std::size_t>(reader.integer(0, largest));
-    const std::size_t entries = reader.count(archive_entry_bytes(length_) + 8);
-    if (length_ == 0 && entries > 0) reader.refuse("an archive has entries without behaviour");
-    for (std::size_t i = 0; i < entries; ++i) {
-        ArchiveEntry entry = load_archive_entry(reader, length_);
-        add(std::move(entry), reader.finite());
-    }
+    check_archive(entries, static_cast<std::size_t>(reader.integer(0, largest)), length_, reader);
+    for (const ArchiveEntry &entry : entries) add(entry);
 }
 
 } // namespace planula

@@ -22,12 +22,14 @@ struct ArchiveEntry {
     std::int64_t genome = 0; // id
     std::vector<double> behaviour;
     double novelty = 0; // when it was added
+    double fitness = 0;
+    bool operator==(const ArchiveEntry &) const = default;
 };
 
-void save(const ArchiveEntry &entry, StateWriter &writer);
-/// An entry whose behaviour has this length. Throws InputError.
-ArchiveEntry load_archive_entry(StateReader &reader, std::size_t length);
-constexpr std::size_t archive_entry_bytes(std::size_t length) { return (3 + length) * 8; }
+/// For a search that resumes: throws InputError at this place of its state unless there are `count` entries, each with a
+/// behaviour of this length.
+void check_archive(std::span<const ArchiveEntry> archive, std::size_t count, std::size_t length,
+                   const StateReader &reader);
 
 /// Eq. (7): the mean distance to these neighbours, summed in ascending order; 0 without any.
 double novelty(std::span<const Neighbour> neighbours);
@@ -48,20 +50,18 @@ class NoveltyArchive {
                 std::span<const double> novelty);
 
     std::span<const ArchiveEntry> entries() const { return entries_; }
-    /// The fitness of an entry.
-    double fitness(std::size_t entry) const { return fitness_[entry]; }
     double threshold() const { return threshold_; }
 
+    /// All but the entries.
     void save(StateWriter &writer) const;
-    void load(StateReader &reader);
+    void load(StateReader &reader, std::span<const ArchiveEntry> entries);
 
   private:
-    void add(ArchiveEntry entry, double fitness);
+    void add(ArchiveEntry entry);
 
     Parameters parameters_;
     std::vector<ArchiveEntry> entries_;
-    std::vector<double> fitness_; // of each entry
-    PointIndex index_;            // of their behaviours
+    PointIndex index_; // of their behaviours
     double threshold_;
     std::size_t length_ = 0; // of every behaviour of the run; 0 until the first is seen
     int run_ = 0;            // additions since the last valid individual that was not added

@@ -26,9 +26,9 @@ void NoveltySearch::save(StateWriter &writer) const {
     archive_.save(writer);
 }
 
-void NoveltySearch::load(StateReader &reader) {
+void NoveltySearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
     reader.group("novelty search");
-    archive_.load(reader);
+    archive_.load(reader, archive);
 }
 
 } // namespace planula

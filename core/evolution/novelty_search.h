@@ -20,7 +20,7 @@ class NoveltySearch final : public Search {
     std::span<const ArchiveEntry> archive() const override { return archive_.entries(); }
     double archive_threshold() const override { return archive_.threshold(); }
     void save(StateWriter &writer) const override;
-    void load(StateReader &reader) override;
+    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
 
   private:
     Parameters parameters_;

@@ -67,9 +67,9 @@ void ParetoSearch::save(StateWriter &writer) const {
     planula::save(kept_, writer);
 }
 
-void ParetoSearch::load(StateReader &reader) {
+void ParetoSearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
     reader.group(name_);
-    archive_.load(reader);
+    archive_.load(reader, archive);
     kept_ = load_elites(reader);
 }
 

@@ -29,7 +29,7 @@ class ParetoSearch : public Search {
     std::span<const ArchiveEntry> archive() const override { return archive_.entries(); }
     double archive_threshold() const override { return archive_.threshold(); }
     void save(StateWriter &writer) const override;
-    void load(StateReader &reader) override;
+    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
 
     /// The parents of the next generation, the highest rank first.
     const Elites &kept() const { return kept_; }

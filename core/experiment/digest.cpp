@@ -71,8 +71,8 @@ class Feeder {
         all(fitness, behaviour, penalty);
     }
     void add(const ArchiveEntry &entry) {
-        const auto &[generation, genome, behaviour, novelty] = entry;
-        all(generation, genome, behaviour, novelty);
+        const auto &[generation, genome, behaviour, novelty, fitness] = entry;
+        all(generation, genome, behaviour, novelty, fitness);
     }
 
     Hash &hash_;

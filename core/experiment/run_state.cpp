@@ -10,11 +10,11 @@ void save(const RunState &state, StateWriter &writer) {
     state.search->save(writer);
 }
 
-RunState load_run_state(const Spec &spec, StateReader &reader) {
+RunState load_run_state(const Spec &spec, std::span<const ArchiveEntry> archive, StateReader &reader) {
     const NetworkShape shape = shape_of(spec.actuation);
     RunState state{load_population(shape, spec.parameters, reader),
                    make_search(spec.search, spec.parameters)};
-    state.search->load(reader);
+    state.search->load(reader, archive);
     for (const Genome &genome : state.search->kept_genomes())
         check_member(genome, shape, state.population, reader);
     return state;

@@ -10,7 +10,8 @@ namespace planula {
 
 void save(const RunState &state, StateWriter &writer);
 
-/// Throws InputError naming the rule that the bytes break: they are not the state of a run of this setting.
-RunState load_run_state(const Spec &spec, StateReader &reader);
+/// The archive of the search is not among what is saved: it is handed over as it was. Throws InputError naming the rule
+/// that the bytes break: they are not the state of a run of this setting.
+RunState load_run_state(const Spec &spec, std::span<const ArchiveEntry> archive, StateReader &reader);
 
 } // namespace planula

@@ -22,6 +22,8 @@ bool is_file_name(const std::string &name) {
 
 } // namespace
 
+const char *name_of(Recording recording) { return recording == Recording::full ? "full" : "sample"; }
+
 NetworkShape shape_of(Actuation actuation) {
     return {input::count, output::count(actuation), is_recurrent(actuation)};
 }

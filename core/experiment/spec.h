@@ -32,6 +32,10 @@ struct FunctionMeaning {
     std::string place;  // "file.lua:12", for messages; no part of the meaning
 };
 
+/// How much of a run is recorded (experiment/sample.h); no part of its results.
+enum class Recording { full, sample };
+const char *name_of(Recording recording);
+
 /// The conditions of every life, and how evolution goes. `parameters` hold population, generations and all else.
 struct Spec : Conditions {
     std::string name;            // of the setting: file-name characters, unique in its experiment
@@ -39,6 +43,7 @@ struct Spec : Conditions {
     std::string search = "neat"; // a name of make_search()
     Judge judge;                 // called on the main thread, in slot order
     std::optional<Start> start;  // none: generation 0 is random
+    Recording record = Recording::full;
     std::vector<FunctionMeaning>
         judgement; // what decides the results of `judge` and of the start's; may be empty
 };

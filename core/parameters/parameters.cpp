@@ -25,17 +25,6 @@ std::vector<ParameterRow> make_rows() {
     return rows;
 }
 
-const ParameterRow &row_of(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const auto &row : parameter_rows()) {
-        if (row.name == name) return row;
-        names.push_back(row.name);
-    }
-    const std::string nearest = nearest_name(name, names);
-    throw InputError("no parameter is called '" + std::string(name) + "'" +
-                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
-}
-
 /// Calls use(field) with a reference to the field of that name; const or not as `parameters` is.
 template <class P, class Use> void with_field(P &parameters, std::string_view name, Use use) {
 #define SECTION(title)
@@ -55,14 +44,25 @@ std::span<const ParameterRow> parameter_rows() {
     return rows;
 }
 
+const ParameterRow &parameter_row(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const auto &row : parameter_rows()) {
+        if (row.name == name) return row;
+        names.push_back(row.name);
+    }
+    const std::string nearest = nearest_name(name, names);
+    throw InputError("no parameter is called '" + std::string(name) + "'" +
+                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+}
+
 double parameter(const Parameters &parameters, std::string_view name) {
     double value = 0;
-    with_field(parameters, row_of(name).name, [&](auto field) { value = field; });
+    with_field(parameters, parameter_row(name).name, [&](auto field) { value = field; });
     return value;
 }
 
 void set_parameter(Parameters &parameters, std::string_view name, double value) {
-    const ParameterRow &row = row_of(name);
+    const ParameterRow &row = parameter_row(name);
     const std::string said = std::string(name) + " = " + to_text(value);
     if (!(value >= row.lowest && value <= row.highest))
         throw InputError(said + " is outside " + to_text(row.lowest) + " … " + to_text(row.highest) + " " +

@@ -25,6 +25,9 @@ struct ParameterRow {
 /// All rows in the order of parameters.inl.
 std::span<const ParameterRow> parameter_rows();
 
+/// The row of a parameter. Throws InputError, with the nearest name, if there is none.
+const ParameterRow &parameter_row(std::string_view name);
+
 /// The value of a parameter by name. Throws InputError, with the nearest name, if there is none.
 double parameter(const Parameters &parameters, std::string_view name);
 

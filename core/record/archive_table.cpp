@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "record/archive_table.h"
 
-#include "base/check.h"
 #include "base/text.h"
 #include "record/csv.h"
+#include "record/journal.h"
 
 namespace planula {
 
 namespace {
 
-constexpr std::size_t first_behaviour = 3;
+constexpr std::size_t first_behaviour = 4;
 
 /// The columns for descriptors of this length.
 std::vector<std::string> header_for(std::size_t length) {
@@ -22,46 +22,45 @@ std::vector<std::string> header_for(std::size_t length) {
     return header;
 }
 
-} // namespace
-
-ArchiveWriter::ArchiveWriter(const std::filesystem::path &folder) : output_(folder / ArchiveRow::file_name) {}
-
-void ArchiveWriter::begin(std::size_t length) {
-    length_ = length;
-    output_.write(to_line(header_for(length)));
-}
-
-void ArchiveWriter::write(const ArchiveEntry &entry) {
-    if (!length_) begin(entry.behaviour.size());
-    CHECK(entry.behaviour.size() == *length_, entry.genome);
-    std::vector<std::string> fields{to_field(entry.generation), to_field(entry.genome),
-                                    to_field(entry.novelty)};
-    for (const double value : entry.behaviour) fields.push_back(to_field(value));
-    output_.write(to_line(fields));
-}
-
-std::string ArchiveWriter::commit() {
-    if (!length_) begin(header_of<ArchiveRow>().size() - first_behaviour);
-    return output_.commit();
-}
-
-std::vector<ArchiveEntry> read_archive(const std::filesystem::path &folder) {
-    CsvReader reader(folder / ArchiveRow::file_name);
+std::vector<ArchiveEntry> read_entries(const std::filesystem::path &path, std::size_t most) {
+    CsvReader reader(path);
     const std::size_t columns = reader.header().size();
     if (columns < first_behaviour || reader.header() != header_for(columns - first_behaviour))
-        reader.refuse("not the header of an archive: generation, genome, novelty and a descriptor");
+        reader.refuse("not the header of an archive: generation, genome, fitness, novelty and a descriptor");
 
     std::vector<ArchiveEntry> archive;
-    while (reader.next()) {
+    while (archive.size() < most && reader.next()) {
         ArchiveEntry &entry = archive.emplace_back();
         reader.parse(0, entry.generation);
         reader.parse(1, entry.genome);
-        reader.parse(2, entry.novelty);
+        reader.parse(2, entry.fitness);
+        reader.parse(3, entry.novelty);
         entry.behaviour.resize(columns - first_behaviour);
         for (std::size_t i = first_behaviour; i < columns; ++i)
             reader.parse(i, entry.behaviour[i - first_behaviour]);
     }
     return archive;
+}
+
+} // namespace
+
+std::string archive_header(std::size_t length) { return to_line(header_for(length)); }
+
+std::string archive_line(const ArchiveEntry &entry) {
+    std::vector<std::string> fields{to_field(entry.generation), to_field(entry.genome),
+                                    to_field(entry.fitness), to_field(entry.novelty)};
+    for (const double value : entry.behaviour) fields.push_back(to_field(value));
+    return to_line(fields);
+}
+
+std::vector<ArchiveEntry> read_archive(const std::filesystem::path &folder, std::size_t most) {
+    if (most == 0) return {};
+    return read_entries(folder / ArchiveRow::file_name, most);
+}
+
+std::vector<ArchiveEntry> read_archive_journal(const std::filesystem::path &folder, std::size_t most) {
+    if (most == 0) return {};
+    return read_entries(journal_path(folder / ArchiveRow::file_name), most);
 }
 
 } // namespace planula

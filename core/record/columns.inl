@@ -17,12 +17,38 @@ COLUMN(std::string, key, "", "what the row states")
 COLUMN(std::string, value, "", "its value")
 END_TABLE
 
+TABLE(IdentityRow, "identity.csv")
+COLUMN(std::string, key, "", "what decides the run's genomes and lives: model, seed, actuation, search, engine, start, environment …, function …, parameter …")
+COLUMN(std::string, value, "", "its value; of the model the revision, a hash over what signed runs produce; of a function a hash of its meaning")
+COLUMN(std::string, place, "", "of a function its file below script/ and its line; no part of the identity")
+COLUMN(std::string, standard, "", "of a parameter its standard value when the run began")
+END_TABLE
+
+TABLE(OverrideRow, "overrides.csv")
+COLUMN(std::string, parameter, "", "a parameter that the command line which began the run set beside the script")
+COLUMN(double, value, "as the parameter", "its value")
+END_TABLE
+
+TABLE(ChainRow, "chain.csv")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(std::string, content, "", "SHA-256 over all genomes, lives, evaluations, scores, species and archive entries of the generation")
+COLUMN(std::string, link, "", "SHA-256 over the link before (of generation 0: the identity), the content, and the generation's rows in every table of the run")
+END_TABLE
+
 TABLE(GenerationRow, "generations.csv")
 COLUMN(int, generation, "generation", "number of the generation, from 0")
 COLUMN(double, best_fitness, "cell", "highest fitness in this generation")
 COLUMN(int, best_slot, "slot", "slot of the fittest, the lowest of equals")
+COLUMN(double, best_x, "cell", "horizontal displacement of the fittest from rest to end")
+COLUMN(double, best_y, "cell", "vertical displacement of the fittest from rest to end")
 COLUMN(double, mean_fitness, "cell", "mean fitness of all individuals")
 COLUMN(int, valid, "individuals", "individuals whose penalty factor is above 0")
+COLUMN(double, fitness_low, "cell", "lower quartile of the fitness of the valid individuals; 0 without any")
+COLUMN(double, fitness_median, "cell", "median of their fitness")
+COLUMN(double, fitness_high, "cell", "upper quartile of their fitness")
+COLUMN(int, moved, "individuals", "individuals whose centre of mass moved at all")
+COLUMN(double, heading_x, "1", "sum over these of the horizontal part of the unit vector from rest to end")
+COLUMN(double, heading_y, "1", "sum over these of its vertical part")
 COLUMN(int, species, "species", "species in the population")
 COLUMN(double, threshold, "1", "compatibility threshold that placed this generation; 0 without species")
 COLUMN(double, mean_links, "links", "mean number of links of a genome")
@@ -37,6 +63,18 @@ COLUMN(int, never_settled, "individuals", "individuals that did not come to rest
 COLUMN(int, exploded, "individuals", "individuals with a speed beyond the guard or a number that is not finite")
 COLUMN(int, overborn, "individuals", "individuals that reached the birth limit, whatever became of them")
 COLUMN(double, shape_diversity, "1", "mean morphological distance over all pairs of viable individuals, in mean distances between two cells: D2 shape distributions of Osada et al. 2002, core/body/shape.h; 0 with fewer than two")
+END_TABLE
+
+TABLE(SizeRow, "sizes.csv.gz")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(int, cells, "cells", "cells at the end of development")
+COLUMN(int, individuals, "individuals", "individuals of this size whose fitness is above 0; sizes without any have no row")
+END_TABLE
+
+TABLE(FitnessClassRow, "fitness_classes.csv.gz")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(int, percent, "%", "lower end of a class of fitness, in percent of the generation's highest; a class is 1 % wide and excludes its upper end, but for the last")
+COLUMN(int, individuals, "individuals", "individuals in the class; classes without any have no row")
 END_TABLE
 
 TABLE(IndividualRow, "individuals.csv.gz")
@@ -76,15 +114,16 @@ COLUMN(double, best_ever, "cell", "highest score of its members in all generatio
 COLUMN(std::int64_t, representative, "id", "genome that newborns are compared with: its first member")
 END_TABLE
 
-TABLE(ArchiveRow, "archive.csv")
+TABLE(ArchiveRow, "archive.csv.gz")
 COLUMN(int, generation, "generation", "generation that added the individual to the archive")
 COLUMN(std::int64_t, genome, "id", "its genome")
+COLUMN(double, fitness, "cell", "its fitness, Eq. 4")
 COLUMN(double, novelty, "cell", "its novelty when it was added, Eq. 7; of map-elites the fitness that it added to the map")
 COLUMN(double, x, "cell", "first number of its descriptor: in the paper the final centre of mass, horizontal")
 COLUMN(double, y, "cell", "second number of its descriptor: in the paper the final centre of mass, vertical")
 END_TABLE
 
-TABLE(ArchiveDescriptorRow, "archive.csv")
+TABLE(ArchiveDescriptorRow, "archive.csv.gz")
 COLUMN(double, behaviour_1, "as the descriptor", "with behaviour_2 and so on in place of x and y where a descriptor has not two numbers")
 END_TABLE
 
@@ -107,17 +146,7 @@ COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
 COLUMN(int, settle_steps, "step", "steps until the body came to rest; 0 in water")
 END_TABLE
 
-TABLE(GenomeRow, "best_genome.csv")
-COLUMN(std::string, kind, "", "first row: the operator that made the genome; then nodes: input, bias, output, hidden; then links: link")
-COLUMN(std::int64_t, id, "id", "number of the genome, id of the node, innovation of the link")
-COLUMN(MaybeId, from, "id", "first row: mother, -1 for none; link: the node it leaves")
-COLUMN(MaybeId, to, "id", "first row: father, -1 for none; link: the node it enters")
-COLUMN(Maybe, value, "1", "node: depth, 0 for inputs and 1 for outputs; link: weight")
-COLUMN(int, recurrent, "0 or 1", "1 for a recurrent link")
-END_TABLE
-
-TABLE(PopulationRow, "population.csv.gz")
-COLUMN(int, slot, "slot", "slot in the run's last generation; the rows of one slot are a genome as in best_genome.csv")
+TABLE(GenomeRow, "genome.csv")
 COLUMN(std::string, kind, "", "first row: the operator that made the genome; then nodes: input, bias, output, hidden; then links: link")
 COLUMN(std::int64_t, id, "id", "number of the genome, id of the node, innovation of the link")
 COLUMN(MaybeId, from, "id", "first row: mother, -1 for none; link: the node it leaves")
@@ -179,7 +208,7 @@ COLUMN(double, elongation, "1", "champion's length over width")
 COLUMN(double, size_entropy, "nat", "Shannon entropy of the cell counts of all individuals with fitness above 0, Eq. 8")
 COLUMN(std::int64_t, viable, "individuals", "individuals with fitness above 0, those that the entropy counts")
 COLUMN(double, valid_share_last, "1", "share of the last generation whose penalty factor is above 0")
-COLUMN(double, fitness_spread_last, "1", "interquartile range of fitness over the run's best fitness, valid individuals of the last generation")
+COLUMN(double, fitness_spread_last, "1", "interquartile range of fitness over the highest, valid individuals of the last generation")
 COLUMN(double, shape_diversity_first, "1", "mean morphological distance of the viable individuals of generation 0, see generations.csv")
 COLUMN(double, shape_diversity_last, "1", "the same of the last generation")
 COLUMN(double, direction_resultant, "1", "mean resultant length of the end directions of all individuals that moved; 1: all went one way")
@@ -225,7 +254,7 @@ END_TABLE
 TABLE(FitnessShareRow, "fitness_shares.csv")
 COLUMN(std::string, setting, "", "name of the setting")
 COLUMN(int, runs, "runs", "runs averaged")
-COLUMN(double, low, "1", "lower end of a class of fitness over the run's best fitness in the last generation")
+COLUMN(double, low, "1", "lower end of a class of fitness over the highest in the last generation")
 COLUMN(double, high, "1", "upper end of the class, excluded but for the last")
 COLUMN(double, share, "1", "share of the last generation in the class, mean over runs")
 END_TABLE
@@ -415,6 +444,18 @@ COLUMN(int, triangles, "triangles", "triangles of its body")
 END_TABLE
 
 // ---- What planula prints ----
+
+TABLE(ProgressRow, "progress.csv")
+COLUMN(std::int64_t, written, "s", "seconds since 1970 when the row was written, by a process that runs below the folder")
+COLUMN(int, level, "generations", "generations of the level that the process works at")
+COLUMN(int, levels_left, "levels", "levels after it")
+COLUMN(int, runs, "runs", "runs of the level")
+COLUMN(int, runs_done, "runs", "those that have reached it")
+COLUMN(std::int64_t, evaluations, "individuals", "evaluations by the process so far")
+COLUMN(double, rate, "individuals/s", "evaluations per second")
+COLUMN(double, seconds_left_level, "s", "time left for the level at this rate")
+COLUMN(double, seconds_left, "s", "time left for all levels at this rate")
+END_TABLE
 
 TABLE(PaceRow, "pace.csv")
 COLUMN(std::string, setting, "", "name of the setting that evolved")

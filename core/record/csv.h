@@ -109,7 +109,10 @@ class CsvReader {
 template <class Row> class TableReader {
   public:
     explicit TableReader(const std::filesystem::path &folder)
-        : reader_(folder / Row::file_name, header_of<Row>()) {}
+        : TableReader(folder / Row::file_name, header_of<Row>()) {}
+    /// Of a file that is called otherwise.
+    TableReader(const std::filesystem::path &file, const std::vector<std::string_view> &header)
+        : reader_(file, header) {}
 
     bool next(Row &row) {
         if (!reader_.next()) return false;

@@ -19,13 +19,13 @@ std::vector<GenomeRow> genome_rows(const Genome &genome);
 /// Throws InputError naming the broken rule; the caller knows the file.
 Genome genome_of(std::span<const GenomeRow> rows);
 
-/// A genome among several, under the number of its generation (champion_genomes.csv.gz) or slot (population.csv.gz).
+/// A genome among several, under the number of its generation.
 struct NumberedGenome {
     int number;
     Genome genome;
 };
 
-/// Its rows: ChampionGenomeRow or PopulationRow, the number first.
+/// Its rows, the number first.
 template <class Row> std::vector<Row> numbered_rows(int number, const Genome &genome) {
     std::vector<Row> rows;
     for (const GenomeRow &row : genome_rows(genome))

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -17,13 +18,26 @@ namespace {
 
 std::string reason(int number) { return std::generic_category().message(number); }
 
+constexpr std::size_t largest_content = std::size_t{1} << 30; // of what is read as a whole
+
 gzFile handle(void *stream) { return static_cast<gzFile>(stream); }
 
 } // namespace
 
 Input::Input(std::filesystem::path path) : path_(std::move(path)), packed_(path_.extension() == ".gz") {
-    const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) throw InputError("cannot open " + path_.string() + ": " + reason(errno));
+    // Without waiting for somebody to write into a pipe.
+    const int file = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file < 0) {
+        const int failure = errno;
+        const std::string said = "cannot open " + path_.string() + ": " + reason(failure);
+        if (failure == ENOENT || failure == ENOTDIR) throw InputError(said);
+        throw IoError(said);
+    }
+    struct stat about {};
+    if (::fstat(file, &about) == 0 && (S_ISDIR(about.st_mode) || S_ISFIFO(about.st_mode))) {
+        ::close(file);
+        throw InputError(path_.string() + ": is not a file");
+    }
     stream_ = gzdopen(file, "rb");
     if (stream_ == nullptr) {
         ::close(file);
@@ -59,8 +73,10 @@ std::string read_file(const std::filesystem::path &path) {
     Input input(path);
     std::string content;
     std::vector<char> buffer(std::size_t{1} << 16);
-    while (const int size = input.read(buffer.data(), static_cast<int>(buffer.size())))
+    while (const int size = input.read(buffer.data(), static_cast<int>(buffer.size()))) {
         content.append(buffer.data(), static_cast<std::size_t>(size));
+        if (content.size() > largest_content) throw InputError(path.string() + ": is larger than 1 GiB");
+    }
     return content;
 }
 

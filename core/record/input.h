@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one way by which planula reads a file: its bytes in order, plain or unpacked from gzip. A file that
-// cannot be opened, is damaged or cut off is an InputError; a read that fails on the way an IoError.
+// is not there, is damaged or cut off is an InputError; one that cannot be opened or read for another reason, which may
+// pass, is an IoError.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +25,7 @@ class Input {
     bool packed_;  // by its name
 };
 
-/// The whole content of a file.
+/// The whole content of a file; InputError above 1 GiB.
 std::string read_file(const std::filesystem::path &path);
 
 /// SHA-256 of the content of a file, after unpacking: what Output::commit() returned for it.

@@ -35,38 +35,69 @@ std::int64_t each_piece(const std::filesystem::path &path, std::int64_t length, 
     return read;
 }
 
+/// What was read of a file must be what a mark says.
+void check(const std::filesystem::path &path, std::int64_t length, const std::string &sha256,
+           const JournalMark &mark) {
+    if (length != mark.length)
+        throw InputError(path.string() + ": " + to_text(length) + " bytes, where the kept state knows of " +
+                         to_text(mark.length) + ": it was cut after the run had stopped");
+    if (sha256 != mark.sha256) throw InputError(path.string() + ": it was changed after the run had stopped");
+}
+
 } // namespace
+
+void check_mark(const std::filesystem::path &path, const JournalMark &mark) {
+    Hash hash;
+    const std::int64_t length = each_piece(
+        path, mark.length, [&](std::string_view bytes) { hash.bytes(bytes.data(), bytes.size()); });
+    check(path, length, hash.hex(), mark);
+}
 
 std::filesystem::path journal_path(const std::filesystem::path &target) {
     std::filesystem::path path = target;
     return path += ".part";
 }
 
-Journal::Journal(std::filesystem::path target, const JournalMark *taken_up)
+Journal::Journal(std::filesystem::path target, const JournalStart &start)
     : target_(std::move(target)), path_(journal_path(target_)) {
-    if (taken_up != nullptr)
-        take_up(*taken_up);
-    else if ((file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) < 0)
-        fail<CreateError>("create", path_, errno);
+    using From = JournalStart::From;
+    if (start.from == From::nothing)
+        open(O_CREAT | O_TRUNC);
+    else if (start.from == From::journal)
+        resume(start.mark);
+    else
+        copy(start.mark);
 }
 
-void Journal::take_up(const JournalMark &mark) {
+void Journal::open(int flags) {
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
+    if (file_ < 0) fail<CreateError>("open", path_, errno);
+}
+
+void Journal::resume(const JournalMark &mark) {
     // The beginning must be what the mark says, before anything is cut.
     length_ = each_piece(path_, mark.length,
                          [&](std::string_view bytes) { hash_.bytes(bytes.data(), bytes.size()); });
-    if (length_ != mark.length)
-        throw InputError(path_.string() + ": " + to_text(length_) + " bytes, where the checkpoint knows of " +
-                         to_text(mark.length) + ": it was cut after the run had stopped");
-    if (hash_.hex() != mark.sha256)
-        throw InputError(path_.string() + ": it was changed after the run had stopped");
-
+    check(path_, length_, hash_.hex(), mark);
     kept_ = true;
-    file_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-    if (file_ < 0) fail<CreateError>("open", path_, errno);
+    open(O_APPEND);
     if (::ftruncate(file_, mark.length) == 0) return;
     const int failure = errno;
     ::close(file_);
     fail<IoError>("cut", path_, failure);
+}
+
+void Journal::copy(const JournalMark &mark) {
+    open(O_CREAT | O_TRUNC);
+    try {
+        each_piece(target_, mark.length, [&](std::string_view bytes) { write(bytes); });
+        check(target_, length_, hash_.hex(), mark);
+        flush();
+    } catch (...) {
+        ::close(file_);
+        ::unlink(path_.c_str());
+        throw;
+    }
 }
 
 Journal::~Journal() {
@@ -97,11 +128,15 @@ JournalMark Journal::mark() {
 std::string Journal::publish() {
     flush();
     Output output(target_);
-    if (each_piece(path_, length_, [&](std::string_view bytes) { output.write(bytes); }) != length_)
+    Hash read;
+    const std::int64_t length = each_piece(path_, length_, [&](std::string_view bytes) {
+        read.bytes(bytes.data(), bytes.size());
+        output.write(bytes);
+    });
+    if (length != length_)
         throw IoError("cannot read back " + path_.string() + ": it is shorter than what was written");
-    const std::string sha256 = output.commit();
-    if (sha256 != hash_.hex()) throw IoError(path_.string() + " does not read back as it was written");
-    return sha256;
+    if (read.hex() != hash_.hex()) throw IoError(path_.string() + " does not read back as it was written");
+    return output.commit();
 }
 
 } // namespace planula

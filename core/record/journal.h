@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A table of a run while it grows: plain text at <target>.part, to which rows are only ever added. A mark says
-// how much of it is safe on disk; another process takes the journal up at a mark, and what came after it goes.
+// how much of it is safe on disk; another process resumes the journal at a mark, and what came after it is cut.
 // The finished content is published under the target's name in one piece, so that a target's bytes, packed or
-// not, do not depend on how often its run was stopped.
+// not, do not depend on how often its run was stopped. A run that is to become longer begins its journals again
+// from the published tables, which stay as they are until the longer ones replace them.
 #pragma once
 
 #include "base/hash.h"
-#include "record/csv.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -24,12 +24,21 @@ struct JournalMark {
 /// Where the journal of a target lies.
 std::filesystem::path journal_path(const std::filesystem::path &target);
 
+/// Throws InputError, naming the file, if it does not begin as the mark says.
+void check_mark(const std::filesystem::path &path, const JournalMark &mark);
+
+/// Where a journal begins: empty, or with what its own file or the published target holds up to a mark.
+struct JournalStart {
+    enum class From { nothing, journal, target };
+    From from = From::nothing;
+    JournalMark mark;
+};
+
 class Journal {
   public:
-    /// Begins an empty journal, or takes up the one that lies there. Throws CreateError, or InputError naming
-    /// the file if it does not begin as the mark says.
-    explicit Journal(std::filesystem::path target, const JournalMark *taken_up = nullptr);
-    /// A journal that was never marked goes: nothing knows how to take it up.
+    /// Throws CreateError, or InputError naming the file if that does not begin as the mark says.
+    explicit Journal(std::filesystem::path target, const JournalStart &start = {});
+    /// A journal that was never marked is removed: nothing knows how to resume it.
     ~Journal();
     Journal(const Journal &) = delete;
     Journal &operator=(const Journal &) = delete;
@@ -37,11 +46,14 @@ class Journal {
     void write(std::string_view bytes);
     /// Makes sure that everything written so far is on disk. Throws IoError.
     JournalMark mark();
+    bool is_empty() const { return length_ == 0; }
     /// Writes the target; returns the SHA-256 of its content. The journal stays.
     std::string publish();
 
   private:
-    void take_up(const JournalMark &mark);
+    void resume(const JournalMark &mark);
+    void copy(const JournalMark &mark);
+    void open(int flags);
     void flush();
 
     std::filesystem::path target_, path_;
@@ -50,21 +62,6 @@ class Journal {
     std::string pending_; // at most a buffer full
     std::int64_t length_ = 0;
     Hash hash_; // of all that was written
-};
-
-/// The journal of a table.
-template <class Row> class TableJournal {
-  public:
-    explicit TableJournal(const std::filesystem::path &folder, const JournalMark *taken_up = nullptr)
-        : journal_(folder / Row::file_name, taken_up) {
-        if (taken_up == nullptr) journal_.write(header_line<Row>());
-    }
-    void write(const Row &row) { journal_.write(line_of(row)); }
-    JournalMark mark() { return journal_.mark(); }
-    std::string publish() { return journal_.publish(); }
-
-  private:
-    Journal journal_;
 };
 
 } // namespace planula

@@ -17,6 +17,15 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16;
 
+/// Fills the buffer from an open file as far as one call does; 0 at the end.
+std::size_t read_some(int file, std::string &buffer, const std::filesystem::path &path) {
+    for (;;) {
+        const ssize_t size = ::read(file, buffer.data(), buffer.size());
+        if (size >= 0) return static_cast<std::size_t>(size);
+        if (errno != EINTR) fail<IoError>("read", path, errno);
+    }
+}
+
 } // namespace
 
 /// A gzip stream (RFC 1952) whose bytes depend on its content alone.
@@ -109,6 +118,29 @@ std::string write_file(const std::filesystem::path &path, std::string_view conte
     return output.commit();
 }
 
+void copy_file(const std::filesystem::path &from, const std::filesystem::path &to) {
+    const int source = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
+    if (source < 0) fail<IoError>("open", from, errno);
+    const int target = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (target < 0) {
+        const int failure = errno;
+        ::close(source);
+        fail<CreateError>("create", to, failure);
+    }
+    try {
+        std::string buffer(buffer_size, '\0');
+        while (const std::size_t size = read_some(source, buffer, from))
+            write_all(target, std::string_view(buffer).substr(0, size), to);
+        sync_file(target, to);
+    } catch (...) {
+        ::close(source);
+        ::close(target);
+        throw;
+    }
+    ::close(source);
+    if (::close(target) != 0) fail<IoError>("finish", to, errno);
+}
+
 void make_folder(const std::filesystem::path &folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
@@ -128,7 +160,7 @@ FolderLock::FolderLock(const std::filesystem::path &folder)
     if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
     const int failure = errno;
     ::close(file_);
-    if (failure == EWOULDBLOCK) throw CreateError(folder.string() + " is in use by another process");
+    if (failure == EWOULDBLOCK) throw RefusedError(folder.string() + " is in use by another process");
     fail<CreateError>("lock folder", folder, failure);
 }
 

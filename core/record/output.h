@@ -45,6 +45,9 @@ class Output {
 /// Writes a whole file; returns the SHA-256 of its content.
 std::string write_file(const std::filesystem::path &path, std::string_view content);
 
+/// Copies the bytes of a file into a new one and waits until they are on disk. Throws IoError or CreateError.
+void copy_file(const std::filesystem::path &from, const std::filesystem::path &to);
+
 /// Makes a folder and those above it. Throws CreateError.
 void make_folder(const std::filesystem::path &folder);
 
@@ -54,7 +57,7 @@ void remove_file(const std::filesystem::path &path);
 /// Holds a folder for this process as long as the object lives; the lock dies with the process.
 class FolderLock {
   public:
-    /// Throws CreateError if another process holds it.
+    /// Throws RefusedError if another process holds it, and CreateError if it cannot be held.
     explicit FolderLock(const std::filesystem::path &folder);
     ~FolderLock();
     FolderLock(const FolderLock &) = delete;

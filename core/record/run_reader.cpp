@@ -3,128 +3,224 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "record/checkpoint.h"
+#include "experiment/run_state.h"
+#include "record/archive_table.h"
 #include "record/csv.h"
 #include "record/genome_table.h"
 #include "record/input.h"
-#include "record/run_writer.h"
+#include "record/kept_state.h"
+#include "record/system.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace planula {
 
 namespace {
 
-/// A count of a manifest: at least 1.
-int count_of(const Manifest &manifest, const std::filesystem::path &folder, std::string_view key) {
-    const std::int64_t value = manifest.number(key);
-    if (value < 1 || value > std::numeric_limits<int>::max())
-        throw InputError((folder / ManifestRow::file_name).string() + ": '" + std::string(key) +
-                         "' = " + to_text(value) + " is not a count");
-    return static_cast<int>(value);
+std::int64_t seed_of(const Identity &identity, const std::filesystem::path &folder) {
+    const auto seed = parse_int(*identity.find("seed"));
+    if (!seed || *seed < 0)
+        throw InputError((folder / IdentityRow::file_name).string() +
+                         ": the seed is not a whole number of 0 or more");
+    return *seed;
 }
 
-RecordedRun open_run(const std::filesystem::path &folder) {
-    RecordedRun run{.folder = folder, .manifest = Manifest(folder)};
-    run.setting = run.manifest.text("setting");
-    run.seed = run.manifest.number("seed");
-    run.generations = count_of(run.manifest, folder, "generations");
-    run.population = count_of(run.manifest, folder, "population");
+RecordedRun open_run(const std::filesystem::path &folder, const RunRecord &record, Manifest manifest) {
+    RecordedRun run{.folder = folder,
+                    .identity = record.identity,
+                    .record = record.record,
+                    .setting = manifest.text("setting"),
+                    .seed = seed_of(record.identity, folder),
+                    .generations = manifest.count("generations"),
+                    .population = manifest.count("population"),
+                    .manifest = std::move(manifest)};
+    if (run.manifest.text("identity") != run.identity.sha256() || run.manifest.number("seed") != run.seed)
+        throw InputError((folder / ManifestRow::file_name).string() + ": it is of another run than " +
+                         std::string(IdentityRow::file_name));
     return run;
 }
 
-/// The folder must be that of the run which its manifest names.
-void check_place(const RecordedRun &run, const std::filesystem::path &runs, const std::string &setting) {
-    if (run.setting == setting && run.seed >= 0 &&
-        run_folder(runs, setting, static_cast<std::uint64_t>(run.seed)) == run.folder)
-        return;
-    throw InputError((run.folder / ManifestRow::file_name).string() + ": it is of the run '" + run.setting +
-                     "', seed " + to_text(run.seed) + ", which does not belong here");
+/// seed-NNN, as run_folder() makes it.
+bool is_run_name(const std::filesystem::path &folder) {
+    const std::string name = folder.filename().string(), start = "seed-";
+    return name.starts_with(start) && parse_int(name.substr(start.size())).value_or(-1) >= 0;
 }
 
-bool is_complete(const RecordedRun &run) { return run.manifest.text("status") == "complete"; }
+/// Every folder below <runs>/<setting> that is called like a run, by name; none if there is no such folder.
+std::vector<std::filesystem::path> run_folders(const std::filesystem::path &setting) {
+    std::vector<std::filesystem::path> folders;
+    if (!std::filesystem::exists(setting)) return folders;
+    for (const std::filesystem::path &entry : entries_of(setting))
+        if (std::filesystem::is_directory(entry) && is_run_name(entry)) folders.push_back(entry);
+    return folders;
+}
 
-RunStatus status_of(const std::filesystem::path &folder) {
-    if (std::filesystem::exists(folder / ManifestRow::file_name)) {
-        const RecordedRun run = open_run(folder);
-        if (is_complete(run)) return {folder, true, run.generations, run.generations};
+/// Adds the run in a folder to those found, or why it is none of them.
+void sort_in(const std::filesystem::path &runs, const std::filesystem::path &folder, const Spec &setting,
+             int generations, FoundRuns &found) {
+    const auto leave_out = [&](const std::string &why) {
+        found.left_out.push_back(folder.string() + ": " + why);
+    };
+    std::optional<RunRecord> record;
+    try {
+        record = recorded_run(folder);
+    } catch (const CreateError &) {
+        return leave_out("not a run of this planula");
     }
-    const FoundCheckpoint found = find_checkpoint(folder);
-    if (!found.checkpoint) return {folder};
-    return {folder, false, found.checkpoint->generation, found.checkpoint->generations};
+    if (!record) return leave_out("no run has begun there");
+    const std::int64_t seed = seed_of(record->identity, folder);
+    if (run_folder(runs, setting.name, static_cast<std::uint64_t>(seed)) != folder)
+        return leave_out("it is a run of seed " + to_text(seed) + ", which does not belong there");
+    const auto lines = differences(record->identity, identity_of(setting, static_cast<std::uint64_t>(seed)));
+    if (!lines.empty())
+        return leave_out("another run: " + lines.front() +
+                         (lines.size() > 1
+                              ? " (and " + to_text(static_cast<std::int64_t>(lines.size()) - 1) + " more)"
+                              : ""));
+    std::optional<Manifest> manifest = recorded_manifest(folder);
+    if (!manifest) return leave_out("not complete");
+    RecordedRun run = open_run(folder, *record, std::move(*manifest));
+    if (run.generations < generations)
+        return leave_out(to_text(run.generations) + " generations, where " + to_text(generations) +
+                         " are asked for");
+    found.runs.push_back(std::move(run));
+}
+
+/// Files may come and go meanwhile.
+std::uintmax_t bytes_below(const std::filesystem::path &folder) {
+    std::uintmax_t bytes = 0;
+    std::error_code failure;
+    std::filesystem::recursive_directory_iterator at(folder, failure);
+    for (const std::filesystem::recursive_directory_iterator end; !failure && at != end;
+         at.increment(failure)) {
+        std::error_code gone;
+        if (at->is_regular_file(gone)) {
+            const std::uintmax_t size = at->file_size(gone);
+            if (!gone) bytes += size;
+        }
+    }
+    return bytes;
+}
+
+RunStatus status_now(const std::filesystem::path &folder) {
+    RunStatus status{.folder = folder, .bytes = bytes_below(folder)};
+    try {
+        const std::optional<RunRecord> record = recorded_run(folder);
+        if (!record) return status;
+        if (const std::string *population = record->identity.find("parameter population"))
+            status.population = static_cast<int>(parse_double(*population).value_or(0)); // may be 1e+05
+        status.complete = complete_generations(folder);
+        for (const std::filesystem::path &path : checkpoints(folder)) {
+            const std::optional<KeptState> kept = read_state(path);
+            if (kept) status.kept = std::max(status.kept, kept->generation);
+        }
+    } catch (const Error &error) {
+        status.trouble = error.what();
+    } catch (const std::filesystem::filesystem_error &error) {
+        status.trouble = error.what();
+    }
+    return status;
+}
+
+/// What a process that works there replaces at this very moment is looked at again.
+RunStatus status_of(const std::filesystem::path &folder) {
+    RunStatus status = status_now(folder);
+    for (int again = 0; again < 2 && !status.trouble.empty(); ++again) status = status_now(folder);
+    return status;
 }
 
 } // namespace
 
-std::vector<RecordedRun> find_runs(const std::filesystem::path &runs, const std::string &setting) {
-    std::vector<RecordedRun> found;
-    std::error_code error;
-    for (const auto &entry : std::filesystem::directory_iterator(runs / setting, error)) {
-        if (!std::filesystem::exists(entry.path() / ManifestRow::file_name)) continue;
-        RecordedRun run = open_run(entry.path());
-        check_place(run, runs, setting);
-        if (is_complete(run)) found.push_back(std::move(run));
-    }
-    std::sort(found.begin(), found.end(),
+FoundRuns find_runs(const std::filesystem::path &runs, const Spec &setting, int generations) {
+    FoundRuns found;
+    for (const std::filesystem::path &folder : run_folders(runs / setting.name))
+        sort_in(runs, folder, setting, generations, found);
+    std::sort(found.runs.begin(), found.runs.end(),
               [](const RecordedRun &a, const RecordedRun &b) { return a.seed < b.seed; });
     return found;
+}
+
+std::vector<std::filesystem::path> folders_with_runs(const std::filesystem::path &folder) {
+    if (!std::filesystem::is_directory(folder)) throw InputError(folder.string() + " is not a folder");
+    std::vector<std::filesystem::path> folders;
+    const auto look = [&](const std::filesystem::path &path) {
+        const bool is_run = std::filesystem::exists(path / IdentityRow::file_name) ||
+                            (is_run_name(path) && std::filesystem::exists(path / ManifestRow::file_name));
+        if (is_run) folders.push_back(path);
+    };
+    look(folder);
+    for (const std::filesystem::path &entry : all_below(folder))
+        if (std::filesystem::is_directory(entry)) look(entry);
+    std::sort(folders.begin(), folders.end());
+    return folders;
 }
 
 std::vector<RunStatus> statuses(const std::filesystem::path &runs) {
     if (!std::filesystem::is_directory(runs)) throw InputError(runs.string() + " is not a folder");
     std::vector<RunStatus> found;
-    for (const auto &setting : std::filesystem::directory_iterator(runs)) {
-        if (!setting.is_directory()) continue;
-        for (const auto &entry : std::filesystem::directory_iterator(setting.path()))
-            if (entry.is_directory() && entry.path().filename().string().starts_with("seed-"))
-                found.push_back(status_of(entry.path()));
+    for (const std::filesystem::path &setting : entries_of(runs)) {
+        if (!std::filesystem::is_directory(setting)) continue;
+        for (const std::filesystem::path &folder : run_folders(setting)) found.push_back(status_of(folder));
     }
     std::sort(found.begin(), found.end(),
               [](const RunStatus &a, const RunStatus &b) { return a.folder < b.folder; });
     return found;
 }
 
-RecordedRun read_run(const std::filesystem::path &folder) {
-    if (!std::filesystem::exists(folder / ManifestRow::file_name))
+RecordedRun open_run(const std::filesystem::path &folder) {
+    std::optional<RunRecord> record;
+    std::optional<Manifest> manifest;
+    if (std::filesystem::exists(folder / IdentityRow::file_name)) record = recorded_run(folder);
+    if (record) manifest = recorded_manifest(folder);
+    if (!manifest)
         throw InputError(folder.string() + " is not the folder of a complete run: it has no " +
-                         std::string(ManifestRow::file_name));
+                         std::string(record ? ManifestRow::file_name : IdentityRow::file_name));
+    return open_run(folder, *record, std::move(*manifest));
+}
+
+RecordedRun read_run(const std::filesystem::path &folder) {
     RecordedRun run = open_run(folder);
-    if (!is_complete(run)) throw InputError(folder.string() + " holds a run that is not complete");
+    check_files(run);
     return run;
 }
 
-void verify(const RecordedRun &run) {
-    for (const ManifestRow &row : run.manifest.rows()) {
-        // A file's row has its name as the key.
-        if (row.key.find('.') == std::string::npos) continue;
-        const std::filesystem::path file = run.folder / std::filesystem::path(row.key).filename();
-        if (content_sha256(file) != row.value)
-            throw InputError(file.string() + ": its content is not what the run's manifest says");
-    }
-    if (results_sha256(run.manifest) != run.manifest.text("results_sha256"))
-        throw InputError((run.folder / ManifestRow::file_name).string() +
-                         ": the hashes of the files do not agree with results_sha256");
+void check_files(const RecordedRun &run) {
+    check_files_are_there(run.folder, run.manifest);
+    for (const ManifestRow &row : run.manifest.rows())
+        if (is_file(row.key) && content_sha256(run.folder / row.key) != row.value)
+            throw InputError((run.folder / row.key).string() +
+                             ": its content is not what the run's manifest says");
 }
 
-Genome read_best_genome(const RecordedRun &run) {
-    const auto rows = read_table<GenomeRow>(run.folder);
+Genome read_champion_genome(const RecordedRun &run, int generations) {
+    std::optional<Genome> genome;
+    for (NumberedGenome &champion : read_numbered<ChampionGenomeRow>(run.folder))
+        if (champion.number < generations) genome = std::move(champion.genome);
+    if (!genome)
+        throw InputError((run.folder / ChampionGenomeRow::file_name).string() + ": there is no champion");
+    return std::move(*genome);
+}
+
+RunState read_run_state(const RecordedRun &run, const Spec &setting, int generation) {
+    const std::filesystem::path path = state_path(run.folder, generation);
+    const std::optional<KeptState> kept = read_state(path);
+    if (!kept) throw InputError(path.string() + ": the file is damaged");
+    if (kept->identity != run.identity.sha256())
+        throw InputError(path.string() + ": it is a state of another run");
+    const auto archive = kept->archive > 0 ? read_archive(run.folder, static_cast<std::size_t>(kept->archive))
+                                           : std::vector<ArchiveEntry>();
+    Spec spec = setting;
+    spec.parameters.generations = run.generations;
     try {
-        return genome_of(rows);
+        StateReader reader(kept->state);
+        RunState state = load_run_state(spec, archive, reader);
+        reader.done();
+        if (kept->generation != generation || state.population.generation != generation)
+            reader.refuse("it is of another generation");
+        return state;
     } catch (const InputError &error) {
-        throw InputError((run.folder / GenomeRow::file_name).string() + ": " + error.what());
+        throw InputError(path.string() + ": " + error.what());
     }
-}
-
-std::vector<Genome> read_last_population(const RecordedRun &run) {
-    std::vector<Genome> genomes;
-    for (NumberedGenome &each : read_numbered<PopulationRow>(run.folder)) {
-        if (each.number != static_cast<int>(genomes.size()))
-            throw InputError((run.folder / PopulationRow::file_name).string() + ": slot " +
-                             to_text(static_cast<std::int64_t>(genomes.size())) + " is missing");
-        genomes.push_back(std::move(each.genome));
-    }
-    return genomes;
 }
 
 } // namespace planula

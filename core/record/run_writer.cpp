@@ -5,273 +5,163 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "base/text.h"
+#include "evolution/search.h"
 #include "experiment/run_state.h"
-#include "genome/genome_state.h"
-#include "record/genome_table.h"
+#include "record/chain.h"
+#include "record/csv.h"
+#include "record/input.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
 
 namespace planula {
 
 namespace {
 
-constexpr const char *script_file = "experiment.lua", *resolved_file = "resolved.lua";
-constexpr std::array run_tables{GenerationRow::file_name, IndividualRow::file_name,     SpeciesRow::file_name,
-                                ChampionRow::file_name,   ChampionGenomeRow::file_name, ArchiveRow::file_name,
-                                GenomeRow::file_name,     PopulationRow::file_name};
+bool has_archive(const Spec &spec) { return make_search(spec.search, spec.parameters)->keeps_archive(); }
 
-std::string identity_of(const Spec &spec, std::uint64_t seed, const RunIdentity &identity) {
-    return Hash().text(version()).text(spec.name).text(identity.resolved_text).number(seed).hex();
-}
-
-/// Takes the folder as a new run finds it: without a manifest first of all, and without anything older.
-void clear(const std::filesystem::path &folder) {
-    remove_file(folder / ManifestRow::file_name);
-    for (const auto file : run_tables) remove_file(folder / file);
-    remove_leftovers(folder);
-}
-
-const std::filesystem::path &made(const std::filesystem::path &folder) {
-    make_folder(folder);
-    return folder;
-}
-
-/// The species of every slot.
-std::vector<int> species_of_slots(const Population &population) {
-    std::vector<int> species(population.genomes.size(), -1);
-    for (const Species &group : population.species)
-        for (const int slot : group.members) species.at(slot) = group.id;
-    return species;
-}
-
-/// The part of the displacement that the last quarter of locomotion made.
-double late_share(const Life &life, const Parameters &parameters) {
-    const double displacement = life.displacement();
-    const std::size_t sample =
-        static_cast<std::size_t>(parameters.locomotion_steps) * 3 / 4 / parameters.path_interval;
-    if (displacement == 0 || sample >= life.path.size()) return 0;
-    return length(life.end - life.path[sample]) / displacement;
-}
-
-ChampionRow champion_row(const Generation &g, const Parameters &parameters) {
-    const Life &life = g.lives[g.best];
-    const Genome &genome = g.population.genomes[g.best];
-    const Vec2d moved = life.end - life.rest;
-    return {.generation = g.number,
-            .slot = g.best,
-            .genome = genome.id,
-            .fitness = g.evaluations[g.best].fitness,
-            .cells = life.cells,
-            .displacement = life.displacement(),
-            .late_share = late_share(life, parameters),
-            .late_actuation = life.late_actuation,
-            .elongation = life.elongation,
-            .x = moved.x,
-            .y = moved.y,
-            .springs = life.links,
-            .triangles = life.triangles,
-            .links = static_cast<int>(genome.links.size()),
-            .hidden = genome.hidden(),
-            .settle_steps = life.settle_steps};
-}
-
-IndividualRow individual_row(const Generation &g, int slot, int species) {
-    const Life &life = g.lives[slot];
-    const Genome &genome = g.population.genomes[slot];
-    const Evaluation &evaluation = g.evaluations[slot];
-    return {.generation = g.number,
-            .slot = slot,
-            .genome = genome.id,
-            .mother = genome.mother,
-            .father = genome.father,
-            .origin = name_of(genome.origin),
-            .species = species,
-            .fitness = evaluation.fitness,
-            .score = g.scores[slot],
-            .penalty = evaluation.penalty,
-            .outcome = name_of(life.outcome),
-            .cells = life.cells,
-            .births = life.births,
-            .end_x = life.end.x,
-            .end_y = life.end.y,
-            .rest_x = life.rest.x,
-            .rest_y = life.rest.y,
-            .activity = life.activity,
-            .elongation = life.elongation,
-            .links = static_cast<int>(genome.links.size()),
-            .hidden = genome.hidden()};
-}
-
-SpeciesRow species_row(const Generation &g, const Species &species) {
-    SpeciesRow row{.generation = g.number,
-                   .species = species.id,
-                   .size = static_cast<int>(species.members.size()),
-                   .age = species.age,
-                   .stagnation = species.stagnation,
-                   .mark = species.best ? 1 : 0,
-                   .best_ever = species.best_ever,
-                   .representative = species.representative.id};
-    for (const int slot : species.members) {
-        row.best_score = std::max(row.best_score, g.scores[slot]);
-        row.mean_score += g.scores[slot];
-    }
-    row.mean_score /= static_cast<double>(row.size);
-    return row;
-}
-
-/// Adds one life to the counts of its generation.
-void count(const Life &life, int birth_limit, GenerationRow &row) {
-    switch (life.outcome) {
-    case Outcome::viable:
-        ++row.viable;
-        break;
-    case Outcome::died_out:
-        ++row.died_out;
-        break;
-    case Outcome::too_small:
-        ++row.too_small;
-        break;
-    case Outcome::overgrown:
-        ++row.overgrown;
-        break;
-    case Outcome::never_settled:
-        ++row.never_settled;
-        break;
-    case Outcome::exploded:
-        ++row.exploded;
-        break;
-    }
-    row.overborn += life.births >= birth_limit;
-}
-
-GenerationRow generation_row(const Generation &g, int birth_limit) {
-    GenerationRow row;
-    row.generation = g.number;
-    row.best_slot = g.best;
-    row.best_fitness = g.evaluations[g.best].fitness;
-    row.species = static_cast<int>(g.population.species.size());
-    row.threshold = g.population.threshold;
-    row.archive = static_cast<int>(g.search.archive().size());
-    row.archive_threshold = g.search.archive_threshold();
-
-    // Means are sums in slot order over the population's size.
-    for (const Evaluation &evaluation : g.evaluations) {
-        row.mean_fitness += evaluation.fitness;
-        row.valid += evaluation.valid();
-    }
-    for (const Genome &genome : g.population.genomes) {
-        row.mean_links += static_cast<double>(genome.links.size());
-        row.mean_hidden += genome.hidden();
-    }
-    for (double *mean : {&row.mean_fitness, &row.mean_links, &row.mean_hidden})
-        *mean /= static_cast<double>(g.lives.size());
-    std::vector<ShapeDistribution> shapes;
-    for (const Life &life : g.lives) {
-        count(life, birth_limit, row);
-        if (life.outcome == Outcome::viable) shapes.push_back(life.shape);
-    }
-    row.shape_diversity = shape_diversity(shapes);
-    return row;
-}
-
-/// The mark that a checkpoint has for a table.
-const JournalMark &mark_of(const FoundCheckpoint &found, std::string_view table) {
+/// Puts the file that an error of its content is about before what it says.
+template <class Action> void about(const std::filesystem::path &path, Action &&action) {
     try {
-        return found.checkpoint->mark_of(table);
+        action();
     } catch (const InputError &error) {
-        throw InputError(found.path.string() + ": " + error.what());
+        throw InputError(path.string() + ": " + error.what());
     }
+}
+
+/// Whether a checkpoint of a complete run is beyond its end: somebody is making it longer.
+bool is_becoming_longer(const std::filesystem::path &folder, int done) {
+    const std::vector<int> kept_ones = kept_generations(folder);
+    if (!kept_ones.empty() && kept_ones.back() >= done) return true;
+    for (const std::filesystem::path &path : checkpoints(folder)) {
+        const std::optional<KeptState> kept = read_state(path);
+        if (!kept || kept->generation >= done) return true;
+    }
+    return false;
 }
 
 } // namespace
 
-std::filesystem::path run_folder(const std::filesystem::path &runs, const std::string &setting,
-                                 std::uint64_t seed) {
-    CHECK(seed <= static_cast<std::uint64_t>(INT64_MAX), seed);
-    constexpr std::size_t digits = 3;
-    std::string number = to_text(static_cast<std::int64_t>(seed));
-    if (number.size() < digits) number.insert(0, digits - number.size(), '0');
-    return runs / setting / ("seed-" + number);
-}
-
-std::string results_sha256(const Manifest &manifest) {
-    Hash results;
-    for (const ManifestRow &row : manifest.rows())
-        if (row.key.find(".csv") != std::string::npos) results.text(row.key).text(row.value);
-    return results.hex();
-}
-
-/// The journals. A table stands here once; each() reaches them all, in the order of the manifest.
-struct RunWriter::Tables {
-    template <class MarkOf>
-    Tables(const std::filesystem::path &folder, MarkOf &&mark)
-        : generations(folder, mark(GenerationRow::file_name)),
-          individuals(folder, mark(IndividualRow::file_name)), species(folder, mark(SpeciesRow::file_name)),
-          champions(folder, mark(ChampionRow::file_name)),
-          champion_genomes(folder, mark(ChampionGenomeRow::file_name)) {}
-
-    template <class Visit> void each(Visit &&visit) {
-        visit(GenerationRow::file_name, generations);
-        visit(IndividualRow::file_name, individuals);
-        visit(SpeciesRow::file_name, species);
-        visit(ChampionRow::file_name, champions);
-        visit(ChampionGenomeRow::file_name, champion_genomes);
-    }
-
-    TableJournal<GenerationRow> generations;
-    TableJournal<IndividualRow> individuals;
-    TableJournal<SpeciesRow> species;
-    TableJournal<ChampionRow> champions;
-    TableJournal<ChampionGenomeRow> champion_genomes;
+/// Where a run resumes: a kept state, its file, and whether the tables up to there are journals or published.
+struct RunWriter::Found {
+    std::optional<KeptState> kept;
+    std::filesystem::path path;
+    JournalStart::From tables = JournalStart::From::nothing;
 };
 
 RunWriter::RunWriter(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
-                     const RunIdentity &identity, int interval)
-    : folder_(made(folder)), lock_(folder_), parameters_(spec.parameters), setting_(spec.name),
-      identity_(identity_of(spec, seed, identity)), script_sha256_(sha256(identity.script_text)), seed_(seed),
-      interval_(interval) {
+                     const RunSources &sources, int interval)
+    : folder_(folder), spec_(spec), seed_(seed), interval_(interval) {
     CHECK(interval >= 1, interval);
-    take_up(spec);
-    files_.emplace_back(script_file, write_file(folder_ / script_file, identity.script_text));
-    files_.emplace_back(resolved_file, write_file(folder_ / resolved_file, identity.resolved_text));
+    const RunRecord asked{identity_of(spec, seed), spec.record};
+    check_same_run(folder_, asked);
+    make_folder(folder_);
+    lock_.emplace(folder_);
+
+    // Another process may have been here until a moment ago.
+    check_same_run(folder_, asked);
+    const std::optional<RunRecord> recorded = recorded_run(folder_);
+    if (!recorded) begin_folder(folder_, asked, sources);
+    identity_ = (recorded ? *recorded : asked).identity.sha256();
+    link_ = chain_start(identity_);
+    open();
 }
 
 RunWriter::~RunWriter() = default;
 
-void RunWriter::take_up(const Spec &spec) {
-    const FoundCheckpoint found = find_checkpoint(folder_);
-    damaged_ = found.damaged;
-    const bool goes_on = found.checkpoint && found.checkpoint->identity == identity_;
-    if (goes_on) {
-        restore(spec, found);
-        remove_file(folder_ / ManifestRow::file_name);
-    } else
-        clear(folder_);
-    tables_ = std::make_unique<Tables>(
-        folder_, [&](std::string_view table) { return goes_on ? &mark_of(found, table) : nullptr; });
-
-    // A damaged checkpoint must not become the one that is kept beside a new one.
-    for (const std::filesystem::path &path : damaged_) remove_file(path);
+/// Finds out what is to do, and opens the tables for it.
+void RunWriter::open() {
+    const int done = complete_generations(folder_);
+    if (done >= spec_.parameters.generations) {
+        // What a process that was killed at the very end left behind.
+        if (!is_becoming_longer(folder_, done)) remove_journals(folder_);
+        return;
+    }
+    const Found found = find_state(done);
+    generations_ = spec_.parameters.generations;
+    if (found.kept) generations_ = std::max(generations_, found.kept->generation + 1);
+    resume(found);
 }
 
-void RunWriter::restore(const Spec &spec, const FoundCheckpoint &found) {
-    const Checkpoint &checkpoint = *found.checkpoint;
-    try {
-        StateReader state(checkpoint.state), champion(checkpoint.crown);
-        state_ = load_run_state(spec, state);
-        state.done();
-        observed_ = checkpoint.generation;
-        kept_ = observed_;
-        if (state_->population.generation != observed_) state.refuse("it is of another generation");
-        best_fitness_ = champion.finite();
-        if (observed_ > 0) best_genome_ = load_genome(champion);
-        champion.done();
-        memory_ = checkpoint.memory;
-    } catch (const InputError &error) {
-        throw InputError(found.path.string() + ": " + error.what());
+/// Reads a kept state of the run, unless it is damaged.
+bool RunWriter::take(const std::filesystem::path &path, JournalStart::From tables, Found &found) {
+    found.kept = read_state(path);
+    if (!found.kept) {
+        damaged_.push_back(path);
+        return false;
     }
+    if (found.kept->identity != identity_)
+        throw InputError(path.string() + ": it is a state of another run. Nothing was changed.");
+    found.path = path;
+    found.tables = tables;
+    return true;
+}
+
+/// The newest state that is whole: a checkpoint, or one of states/. The first `done` generations are complete: a state
+/// before the end of these belongs to the published tables, a later one to the journals.
+RunWriter::Found RunWriter::find_state(int done) {
+    using From = JournalStart::From;
+    Found newest;
+    for (const std::filesystem::path &path : checkpoints(folder_))
+        if (take(path, From::journal, newest)) break;
+    const int checkpoint = newest.kept ? newest.kept->generation : -1;
+    std::vector<int> kept = kept_generations(folder_);
+    for (; !kept.empty() && kept.back() > checkpoint; kept.pop_back()) {
+        // Beyond what is published there are the journals of a process that was making the run longer.
+        const From tables = kept.back() <= done ? From::target : From::journal;
+        Found found;
+        if (take(state_path(folder_, kept.back()), tables, found)) return found;
+    }
+    if (!newest.kept && (done > 0 || !damaged_.empty()))
+        throw InputError(folder_.string() + ": no state of the run can be read" +
+                         (damaged_.empty() ? "" : ", " + damaged_.front().string() + " is damaged") +
+                         ": it cannot " + (done > 0 ? "become longer" : "resume") +
+                         ". Nothing was changed. Move the folder away to begin the run anew.");
+    return newest;
+}
+
+void RunWriter::resume(const Found &found) {
+    if (found.kept) restore(found);
+    tables_ =
+        std::make_unique<RunTables>(folder_, has_archive(spec_), [&](std::string_view table) -> JournalStart {
+            if (!found.kept) return {};
+            JournalStart start{found.tables, {}};
+            about(found.path, [&] { start.mark = found.kept->mark_of(table); });
+            return start;
+        });
+
+    // A damaged checkpoint must not become the one that is kept beside a new one. What lies in states/ stays: the manifest
+    // of a complete run names it.
+    for (const std::filesystem::path &path : damaged_)
+        if (path.parent_path() == folder_) remove_file(path);
+
+    // A run that was to be longer stands, it may be, before what is its last generation now.
+    if (found.kept && is_to_stay(observed_) && !std::filesystem::exists(state_path(folder_, observed_)))
+        keep_state(folder_, *found.kept);
+}
+
+void RunWriter::restore(const Found &found) {
+    const KeptState &kept = *found.kept;
+    const auto entries = static_cast<std::size_t>(kept.archive);
+    const auto archive = found.tables == JournalStart::From::target ? read_archive(folder_, entries)
+                                                                    : read_archive_journal(folder_, entries);
+    Spec longest = spec_;
+    longest.parameters.generations = generations_;
+    about(found.path, [&] {
+        StateReader state(kept.state);
+        state_ = load_run_state(longest, archive, state);
+        state.done();
+        if (state_->population.generation != kept.generation) state.refuse("it is of another generation");
+    });
+    observed_ = kept.generation;
+    if (found.tables == JournalStart::From::journal) kept_ = observed_;
+    best_fitness_ = kept.best_fitness;
+    memory_ = kept.memory;
+    link_ = kept.link;
+}
+
+/// Whether the complete run has the state before this generation in states/.
+bool RunWriter::is_to_stay(int generation) const {
+    return is_kept_generation(generation) || generation == generations_ - 1;
 }
 
 void RunWriter::observe(const Generation &generation) {
@@ -279,115 +169,97 @@ void RunWriter::observe(const Generation &generation) {
     const std::size_t size = generation.population.genomes.size();
     CHECK(generation.lives.size() == size && generation.evaluations.size() == size &&
           generation.scores.size() == size);
-    tables_->generations.write(generation_row(generation, parameters_.birth_limit));
-    write_individuals(generation);
-    for (const Species &species : generation.population.species)
-        tables_->species.write(species_row(generation, species));
-    crown(generation);
+
+    // A champion is the best of the first generation, and everyone fitter than all before.
+    const double fitness = generation.evaluations[generation.best].fitness;
+    const bool crowned = observed_ == 0 || fitness > best_fitness_;
+    if (crowned) best_fitness_ = fitness;
+    const RowTexts rows = row_texts(generation, spec_, seed_, crowned);
+    const ChainRow link = chain_row(link_, generation, rows);
+    tables_->write(rows);
+    tables_->write_link(line_of(link));
+    link_ = link.link;
     ++observed_;
-    if (observed_ < parameters_.generations) return;
-    write_archive(generation.search);
-    last_genomes_ = generation.population.genomes;
 }
 
 void RunWriter::between(const RunState &state, const std::string &memory) {
+    if (is_to_stay(observed_)) keep_state(folder_, kept_state(state, memory));
     if (observed_ - kept_.value_or(0) >= interval_) keep(state, memory);
 }
 
 void RunWriter::keep(const RunState &state, const std::string &memory) {
-    CHECK(state.population.generation == observed_, state.population.generation, observed_);
     if (kept_ == observed_) return;
-    Checkpoint checkpoint{.identity = identity_,
-                          .generation = observed_,
-                          .generations = parameters_.generations,
-                          .memory = memory};
-    StateWriter saved, champion;
-    save(state, saved);
-    champion.real(best_fitness_);
-    if (observed_ > 0) save(best_genome_, champion);
-    checkpoint.state = saved.bytes();
-    checkpoint.crown = champion.bytes();
-
-    // The tables are on disk before the checkpoint that speaks of them.
-    tables_->each([&](std::string_view table, auto &journal) {
-        checkpoint.tables.emplace_back(table, journal.mark());
-    });
-    write_checkpoint(folder_, checkpoint);
+    write_checkpoint(folder_, kept_state(state, memory));
     kept_ = observed_;
 }
 
-void RunWriter::write_individuals(const Generation &generation) {
-    const std::vector<int> species = species_of_slots(generation.population);
-    for (std::size_t slot = 0; slot < species.size(); ++slot)
-        tables_->individuals.write(individual_row(generation, static_cast<int>(slot), species[slot]));
-}
-
-/// The archive after the last generation; a file for every search that has one.
-void RunWriter::write_archive(const Search &search) {
-    if (!search.keeps_archive()) return;
-    archive_.emplace(folder_);
-    for (const ArchiveEntry &entry : search.archive()) archive_->write(entry);
-}
-
-/// The best of the first generation, and everyone fitter than all before.
-void RunWriter::crown(const Generation &generation) {
-    const double fitness = generation.evaluations[generation.best].fitness;
-    if (observed_ > 0 && fitness <= best_fitness_) return;
-    best_fitness_ = fitness;
-    best_genome_ = generation.population.genomes[generation.best];
-    tables_->champions.write(champion_row(generation, parameters_));
-    for (const auto &row : numbered_rows<ChampionGenomeRow>(generation.number, best_genome_))
-        tables_->champion_genomes.write(row);
+/// The run as it stands, its tables being on disk.
+KeptState RunWriter::kept_state(const RunState &state, const std::string &memory) {
+    CHECK(state.population.generation == observed_, state.population.generation, observed_);
+    StateWriter saved;
+    save(state, saved);
+    return {.identity = identity_,
+            .generation = observed_,
+            .tables = tables_->marks(),
+            .link = link_,
+            .archive = static_cast<std::int64_t>(state.search->archive().size()),
+            .best_fitness = best_fitness_,
+            .state = saved.bytes(),
+            .memory = memory};
 }
 
 void RunWriter::finish() {
-    CHECK(observed_ == parameters_.generations, observed_, parameters_.generations);
-    tables_->each(
-        [&](std::string_view table, auto &journal) { files_.emplace_back(table, journal.publish()); });
-    if (archive_) files_.emplace_back(ArchiveRow::file_name, archive_->commit());
-    files_.emplace_back(GenomeRow::file_name, write_table<GenomeRow>(folder_, genome_rows(best_genome_)));
-    std::vector<PopulationRow> population;
-    for (std::size_t slot = 0; slot < last_genomes_.size(); ++slot)
-        for (auto &row : numbered_rows<PopulationRow>(static_cast<int>(slot), last_genomes_[slot]))
-            population.push_back(std::move(row));
-    files_.emplace_back(PopulationRow::file_name, write_table<PopulationRow>(folder_, population));
+    CHECK(observed_ == generations_, observed_, generations_);
+    // From here to the end there is no manifest; the journals hold everything.
+    remove_file(folder_ / ManifestRow::file_name);
+    const auto tables = tables_->publish();
+    remove_other_states();
+    write_manifest(tables);
 
     // Only what is complete needs no journals any more.
-    write_manifest();
-    remove_leftovers(folder_);
+    remove_journals(folder_);
 }
 
-void RunWriter::write_manifest() {
+/// Of a shorter run that became longer, its last state goes, and what a killed process did not finish.
+void RunWriter::remove_other_states() const {
+    for (const int generation : kept_generations(folder_))
+        if (!is_to_stay(generation)) remove_file(state_path(folder_, generation));
+    remove_unfinished_states(folder_);
+}
+
+void RunWriter::write_manifest(const std::vector<std::pair<std::string, std::string>> &tables) {
     Manifest manifest;
     manifest.add("version", std::string(version()));
     manifest.add("compiler", compiler());
-    manifest.add("script_sha256", script_sha256_);
     manifest.add("identity", identity_);
-    manifest.add("setting", setting_);
+    manifest.add("setting", spec_.name);
     manifest.add("seed", static_cast<std::int64_t>(seed_));
-    manifest.add("generations", parameters_.generations);
-    manifest.add("population", parameters_.population);
-    manifest.add("evaluations", std::int64_t{parameters_.generations} * parameters_.population);
-    for (const auto &[file, hash] : files_) manifest.add(file, hash);
-    manifest.add("results_sha256", results_sha256(manifest));
-    manifest.add("status", "complete");
+    manifest.add("generations", generations_);
+    manifest.add("population", spec_.parameters.population);
+    manifest.add("evaluations", std::int64_t{generations_} * spec_.parameters.population);
+    manifest.add("record", name_of(spec_.record));
+    manifest.add("link", link_);
+    const auto add_file = [&](const std::filesystem::path &path) {
+        manifest.add(path.lexically_relative(folder_).generic_string(), content_sha256(path));
+    };
+    add_file(folder_ / IdentityRow::file_name);
+    for (const std::filesystem::path &path : script_files(folder_)) add_file(path);
+    for (const int generation : kept_generations(folder_)) add_file(state_path(folder_, generation));
+    for (const auto &[file, hash] : tables) manifest.add(file, hash);
+    manifest.seal();
     manifest.write(folder_);
 }
 
-void remove_leftovers(const std::filesystem::path &folder) {
-    remove_checkpoints(folder);
-    for (const auto file : run_tables) remove_file(journal_path(folder / file));
-}
-
-bool is_complete(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
-                 const RunIdentity &identity) {
+void tidy_complete_run(const std::filesystem::path &folder) {
+    if (!has_journals(folder)) return;
+    std::optional<FolderLock> lock;
     try {
-        const Manifest manifest(folder);
-        return manifest.text("status") == "complete" &&
-               manifest.text("identity") == identity_of(spec, seed, identity);
-    } catch (const InputError &) {
-        return false;
+        lock.emplace(folder);
+    } catch (const RefusedError &) {
+        return;
     }
+    const int done = complete_generations(folder);
+    if (done > 0 && !is_becoming_longer(folder, done)) remove_journals(folder);
 }
 
 } // namespace planula

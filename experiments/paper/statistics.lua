@@ -146,7 +146,7 @@ return planula.fill({
       expect = "greater",
     },
 
-    -- §3.5: the spread of fitness in the last generation, relative to the run's best.
+    -- §3.5: the spread of fitness in the last generation, relative to the highest.
     {
       id = "S12a", statement = "Swimmers with oscillators: NEAT loses fitness diversity",
       section = "§3.5", paper = "Fig. 11", test = "fitness_spread", a = "osc-aq-neat", b = "osc-aq-ns", expect = "less",

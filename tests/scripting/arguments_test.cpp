@@ -54,6 +54,15 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named_with_the_nearest_option) {
     BOOST_TEST(test::contains(refused({"f", "-s", "1"}), "has no option --s"));
 }
 
+BOOST_AUTO_TEST_CASE(a_command_may_have_several_operands_but_not_none) {
+    Command several = command;
+    several.operand = "FROM...";
+    const std::vector<std::string> words{"a", "--csv", "b"};
+    BOOST_TEST((parse_arguments(several, words).operands == std::vector<std::string>{"a", "b"}));
+    BOOST_CHECK_THROW(parse_arguments(several, std::vector<std::string>{"--csv"}), UsageError);
+    BOOST_TEST(test::contains(help_of(several), "usage: planula test FROM... ["));
+}
+
 BOOST_AUTO_TEST_CASE(whole_numbers_are_whole_and_in_range) {
     BOOST_TEST(parsed({"f", "--seeds", "4"}).whole("seeds", 1, 9) == 4);
     BOOST_TEST(parsed({"f"}).whole("seeds", 1, 9) == 9);

@@ -7,7 +7,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <chrono>
+#include <csignal>
 #include <utility>
+
+#include <sys/time.h>
+#include <time.h>
 
 using namespace planula;
 
@@ -29,6 +33,12 @@ std::string failure(const std::string &text) {
         const auto sources = test::script(text);
         LuaState(sources, sources->script());
     });
+}
+
+// As if the process were stopped for a while.
+void stand_still(int) {
+    const timespec time{.tv_sec = 0, .tv_nsec = 400'000'000};
+    ::nanosleep(&time, nullptr);
 }
 
 } // namespace
@@ -275,4 +285,19 @@ BOOST_AUTO_TEST_CASE(a_table_knows_the_line_of_the_script_that_made_it) {
     BOOST_TEST(state.result().site.line == 4);
     BOOST_TEST(state.result().find("environment")->site.line == 3);
     BOOST_TEST(state.result().find("environment")->site.source == "test.lua");
+}
+
+BOOST_AUTO_TEST_CASE(a_script_may_take_seconds_of_a_processor_and_any_time_beside) {
+    const Limits limits{.instructions = 1'000'000'000'000, .seconds = 0.3};
+    const auto spin = test::script("while true do end");
+    const std::string said = test::refusal([&] { LuaState(spin, spin->script(), limits); });
+    BOOST_TEST(test::contains(said, "the script takes too long (limit: 0.3 s)"), said);
+
+    std::signal(SIGALRM, stand_still);
+    const itimerval soon{.it_interval = {}, .it_value = {.tv_sec = 0, .tv_usec = 5'000}};
+    ::setitimer(ITIMER_REAL, &soon, nullptr);
+    const auto start = std::chrono::steady_clock::now();
+    const auto work = test::script("local n = 0 for i = 1, 4000000 do n = n + i end return { value = n }");
+    BOOST_CHECK_NO_THROW(LuaState(work, work->script(), limits));
+    BOOST_TEST((std::chrono::steady_clock::now() - start > std::chrono::milliseconds(400)));
 }

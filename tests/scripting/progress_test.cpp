@@ -8,6 +8,7 @@
 
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <unistd.h>
 
@@ -35,6 +36,43 @@ BOOST_AUTO_TEST_CASE(a_terminal_gets_one_line_that_is_rewritten_and_cleared) {
     BOOST_TEST(test::contains(out.str(), " evaluations/s, "));
     BOOST_TEST(test::contains(out.str(), " left"));
     BOOST_TEST(out.str().ends_with("\r\x1b[Kdone\n"));
+}
+
+BOOST_AUTO_TEST_CASE(where_a_command_stands_is_shared_from_the_beginning_of_each_level) {
+    std::ostringstream out;
+    std::vector<Standing> shared;
+    {
+        Progress progress(out, false, 100, [&](const Standing &standing) { shared.push_back(standing); });
+        progress.begin_level(5, 1, 4, 1, 60);
+        progress.generation("a seed 1", 0, 5, 1, 20);
+        progress.reach();
+        progress.generation("a seed 2", 0, 5, 1, 30);
+        progress.begin_level(9, 0, 4, 0, 40);
+    }
+    BOOST_REQUIRE_EQUAL(shared.size(), 2u);
+    BOOST_TEST(shared[0].level == 5);
+    BOOST_TEST(shared[0].levels_left == 1);
+    BOOST_TEST(shared[0].runs == 4);
+    BOOST_TEST(shared[0].runs_done == 1);
+    BOOST_TEST(shared[0].rate == 0);
+    BOOST_TEST(shared[1].level == 9);
+    BOOST_TEST(shared[1].levels_left == 0);
+    BOOST_TEST(shared[1].runs_done == 0);
+    BOOST_TEST(shared[1].evaluations == 50);
+    // Of 100 evaluations 50 are left, and of those of the level 40.
+    BOOST_TEST(shared[1].rate > 0);
+    BOOST_TEST(shared[1].seconds_left * shared[1].rate == 50, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(shared[1].seconds_left_level * shared[1].rate == 40, boost::test_tools::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(the_rewritten_line_speaks_of_all_runs_and_levels) {
+    std::ostringstream out;
+    Progress progress(out, true, 100);
+    progress.begin_level(25, 2, 8, 3, 50);
+    usleep(250000);
+    progress.generation("a seed 1", 1, 25, 1, 25);
+    BOOST_TEST(test::contains(out.str(), ", 3 of 8 runs at 25 generations, "), out.str());
+    BOOST_TEST(test::contains(out.str(), " left (all levels: "), out.str());
 }
 
 BOOST_AUTO_TEST_CASE(a_log_is_not_flooded) {

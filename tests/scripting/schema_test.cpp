@@ -6,6 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+
 using namespace planula;
 
 namespace {
@@ -197,6 +199,37 @@ BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_d
     BOOST_TEST(e.settings[1].parameters.seeds == 3);
     BOOST_TEST(e.settings[1].parameters.generations == 7);
     BOOST_TEST(e.analysis.design.generations == Parameters{}.generations);
+}
+
+BOOST_AUTO_TEST_CASE(how_much_a_run_records_is_stated_for_all_settings_or_for_one) {
+    const auto recordings = [](const std::string &text) {
+        std::string names;
+        for (const Spec &spec : experiment(text).settings) names += std::string(name_of(spec.record)) + " ";
+        return names;
+    };
+    BOOST_TEST(recordings("return paper.experiment { name = 'x' }") == "full ");
+    BOOST_TEST(recordings("return paper.experiment { name = 'x', record = 'sample' }") == "sample ");
+    BOOST_TEST(recordings("return paper.design { name = 'x', record = 'sample',\n"
+                          "settings = { { name = 'a' }, { name = 'b', record = 'full' } } }") ==
+               "sample full ");
+    BOOST_TEST(
+        test::contains(refused_body("record = 'sampel'"),
+                       "test.lua:3: record: 'sampel' is none of full, sample; did you mean 'sample'?"));
+    BOOST_TEST(test::contains(refused_body("record = true"), "test.lua:3: record must be a text"));
+}
+
+BOOST_AUTO_TEST_CASE(only_overrides_that_decide_lives_are_kept_with_a_run) {
+    const Experiment e =
+        experiment("return paper.experiment { name = 'x' }",
+                   {{"generations", 7}, {"drag_normal", 2}, {"confidence", 0.9}, {"seeds", 3}});
+    const RunSources sources = sources_of(e);
+    BOOST_REQUIRE_EQUAL(sources.overrides.size(), 1u);
+    BOOST_TEST(sources.overrides[0].first == "drag_normal");
+    std::vector<std::string> files;
+    for (const RunSources::File &file : sources.files) files.push_back(file.path);
+    BOOST_TEST(files.front() == "experiment.lua");
+    BOOST_TEST((std::find(files.begin(), files.end(), "paper.lua") != files.end()));
+    BOOST_TEST((std::find(files.begin(), files.end(), "paper/judgement.lua") != files.end()));
 }
 
 BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {

@@ -24,6 +24,9 @@ inline Analysis fake_analysis() {
     return analysis;
 }
 
+/// All runs below a folder, whatever is told of them.
+inline RunChoice runs_in(const std::filesystem::path &folder) { return {.folder = folder}; }
+
 /// Setting "ns" against "neat".
 inline Claim fake_claim(const std::string &test, const std::string &expect = "") {
     return {.id = "S",
@@ -46,6 +49,7 @@ inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &val
         run.seed = static_cast<std::int64_t>(i) + 1;
         run.generations = spec.parameters.generations;
         run.population = spec.parameters.population;
+        run.setting = spec.name;
         setting.runs.push_back(run);
         RunHistory history;
         history.seed = run.seed;

@@ -18,6 +18,7 @@ Spec swimmers() {
     spec.actuation_range = 0.2;
     spec.environment.drag_normal = 1;
     spec.environment.drag_tangential = 0.1;
+    spec.judge = [](const Life &) { return Evaluation{1.5, {0, 0}, 1}; };
     return spec;
 }
 
@@ -125,6 +126,15 @@ BOOST_AUTO_TEST_CASE(a_life_that_is_not_the_recorded_one_is_refused) {
     const std::string said = message_of<InputError>([&] { film(folder, rows); });
     BOOST_TEST(contains(said, "best_genomes.csv: the best individual of 'water' moved"));
     BOOST_TEST(contains(said, "the data are of another experiment or version"));
+    BOOST_TEST(!std::filesystem::exists(folder / "frames/frames.csv"));
+}
+
+BOOST_AUTO_TEST_CASE(a_life_that_is_judged_otherwise_is_refused) {
+    const TemporaryFolder folder;
+    std::vector<BestGenomeRow> rows = recorded();
+    for (BestGenomeRow &row : rows) row.fitness = 1.25;
+    BOOST_TEST(contains(message_of<InputError>([&] { film(folder, rows); }),
+                        "the best individual of 'water' has fitness 1.25 there, and is judged to have 1.5"));
     BOOST_TEST(!std::filesystem::exists(folder / "frames/frames.csv"));
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
+#include "record/input.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -23,17 +24,11 @@ FakeLife life(int generation, int slot) {
 }
 
 RecordedRun recorded(const TemporaryFolder &folder, int generations = 4, int population = 5) {
-    write_fake_run(folder.path(), fake_spec("ns", generations, population), 1, life);
-    return find_runs(folder.path(), "ns").front();
+    return open_run(write_fake_run(folder.path(), fake_spec("ns", generations, population), 1, life));
 }
 
 RunHistory history_of(const RecordedRun &run, const std::vector<int> &marks) {
     return read_history(run, marks, 4);
-}
-
-/// Replaces the first `from` in a file's text.
-std::string replaced(std::string text, const std::string &from, const std::string &to) {
-    return text.replace(text.find(from), from.size(), to);
 }
 
 std::string individuals(const RecordedRun &run) {
@@ -63,11 +58,11 @@ BOOST_AUTO_TEST_CASE(facts_are_what_a_pencil_finds) {
     BOOST_TEST(early.side_switches == 1);
     BOOST_TEST(early.direction_resultant == 0, tolerance(1e-12));
 
-    // After four: half left and half right; fitness 4, 6, 8, 10 in the last generation, 15 the champion's.
+    // After four: half left and half right; fitness 4, 6, 8, 10 in the last generation.
     const RunFacts &late = history.after.at(4);
     BOOST_TEST(late.champion.fitness == 15);
     BOOST_TEST(late.valid_share == 0.8);
-    BOOST_TEST(late.fitness_spread == (8.5 - 5.5) / 15, tolerance(1e-12));
+    BOOST_TEST(late.fitness_spread == (8.5 - 5.5) / 10, tolerance(1e-12));
     BOOST_TEST(late.side_switches == 2);
     BOOST_TEST(late.viable == 16);
 }
@@ -79,14 +74,14 @@ BOOST_AUTO_TEST_CASE(all_in_one_direction_have_the_resultant_one) {
 }
 
 BOOST_AUTO_TEST_CASE(fitness_shares_cover_the_last_generation) {
-    // 0, 4, 6, 8, 10 over 15 in quarters: 0 in the first, 4 and 6 in the second, 8 and 10 in the third.
+    // 0, 4, 6, 8, 10 over 10 in quarters: 0 in the first, 4 in the second, 6 in the third, the others above.
     const TemporaryFolder folder;
     const RunHistory history = history_of(recorded(folder), {4});
     BOOST_REQUIRE(history.fitness_shares.size() == 4u);
     BOOST_TEST(history.fitness_shares[0] == 0.2, tolerance(1e-12));
-    BOOST_TEST(history.fitness_shares[1] == 0.4, tolerance(1e-12));
-    BOOST_TEST(history.fitness_shares[2] == 0.4, tolerance(1e-12));
-    BOOST_TEST(history.fitness_shares[3] == 0);
+    BOOST_TEST(history.fitness_shares[1] == 0.2, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares[2] == 0.2, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares[3] == 0.4, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(the_past_does_not_depend_on_how_long_the_run_went_on) {
@@ -96,14 +91,16 @@ BOOST_AUTO_TEST_CASE(the_past_does_not_depend_on_how_long_the_run_went_on) {
     BOOST_TEST(part.after.at(2).size_entropy == whole.after.at(2).size_entropy);
     BOOST_TEST(part.after.at(2).fitness_spread == whole.after.at(2).fitness_spread);
     BOOST_TEST(part.best.size() == 2u);
-    BOOST_TEST(part.crowned.generation == whole.crowned.generation);
+    BOOST_TEST(part.after.at(2).champion.generation == whole.after.at(2).champion.generation);
+    BOOST_TEST(part.last.generation == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_where_nobody_lives_has_facts_all_the_same) {
     const TemporaryFolder folder;
-    write_fake_run(folder.path(), fake_spec("ns", 2, 3), 1,
-                   [](int, int) { return FakeLife{.cells = 0, .outcome = Outcome::died_out}; });
-    const RunHistory history = history_of(find_runs(folder.path(), "ns").front(), {2});
+    const auto place = write_fake_run(folder.path(), fake_spec("ns", 2, 3), 1, [](int, int) {
+        return FakeLife{.cells = 0, .outcome = Outcome::died_out};
+    });
+    const RunHistory history = history_of(open_run(place), {2});
     BOOST_TEST(history.after.at(2).size_entropy == 0);
     BOOST_TEST(history.after.at(2).fitness_spread == 0);
     BOOST_TEST(history.after.at(2).direction_resultant == 0);
@@ -115,15 +112,49 @@ BOOST_AUTO_TEST_CASE(individuals_out_of_order_or_missing_are_refused_with_their_
     const TemporaryFolder folder;
     const RecordedRun run = recorded(folder);
     const std::string whole = individuals(run), file = (run.folder / "individuals.csv.gz").string();
-    const auto refusal = [&](const std::string &text) {
+    const auto refusal = [&](const std::string &text, int generations = 4) {
         write_file(file, text);
-        return message_of<InputError>([&] { history_of(run, {4}); });
+        return message_of<InputError>(
+            [&] { each_individual(run, generations, [](const IndividualRow &) {}); });
     };
     BOOST_TEST(refusal(replaced(whole, "\n0,3,", "\n0,2,")) ==
-               file + ":5: generation 0, slot 2 where generation 0, slot 3 must follow");
+               file + ":5: generation 0, slot 2 does not follow generation 0, slot 2");
+    BOOST_TEST(refusal(replaced(whole, "\n1,0,", "\n2,0,")) ==
+               file + ":7: generation 2, slot 0 does not follow generation 0, slot 4");
+    BOOST_TEST(refusal(replaced(whole, "\n3,4,", "\n3,5,")) ==
+               file + ":21: generation 3, slot 5 does not follow generation 3, slot 3");
     BOOST_TEST(refusal(whole.substr(0, whole.find("\n3,4,") + 1)) ==
                file + ":20: individuals are missing at the end");
+    BOOST_TEST(refusal(whole.substr(0, whole.find("\n3,4,") + 1), 3) == "");
     BOOST_TEST(refusal(whole) == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_sample_of_individuals_may_have_gaps_but_no_disorder) {
+    const TemporaryFolder folder;
+    RecordedRun run = recorded(folder);
+    run.record = Recording::sample;
+    const std::string whole = individuals(run), file = (run.folder / "individuals.csv.gz").string();
+    const auto line_at = [&](const std::string &start) {
+        const std::size_t at = whole.find(start) + 1;
+        return whole.substr(at, whole.find('\n', at) + 1 - at);
+    };
+    int seen = 0;
+    const auto refusal = [&](const std::string &text) {
+        write_file(file, text);
+        seen = 0;
+        return message_of<InputError>(
+            [&] { each_individual(run, 4, [&](const IndividualRow &) { ++seen; }); });
+    };
+    for (const char *gap : {"\n0,0,", "\n1,4,", "\n2,2,", "\n3,4,"}) {
+        BOOST_TEST(refusal(replaced(whole, line_at(gap), "")) == "");
+        BOOST_TEST(seen == 19);
+    }
+    BOOST_TEST(refusal(header_line<IndividualRow>()) == "");
+    BOOST_TEST(seen == 0);
+    BOOST_TEST(contains(refusal(replaced(whole, "\n0,3,", "\n0,2,")), "does not follow"));
+    BOOST_TEST(contains(refusal(replaced(whole, "\n2,1,", "\n1,1,")), "does not follow"));
+    BOOST_TEST(contains(refusal(replaced(whole, "\n2,1,", "\n2,5,")), "does not follow"));
+    BOOST_TEST(contains(refusal(replaced(whole, "\n2,0,", "\n2,-1,")), "does not follow"));
 }
 
 BOOST_AUTO_TEST_CASE(generations_and_champions_out_of_order_are_refused_with_their_line) {
@@ -144,4 +175,28 @@ BOOST_AUTO_TEST_CASE(generations_and_champions_out_of_order_are_refused_with_the
                         "champions.csv:3: this is not the next champion"));
     BOOST_TEST(contains(refusal("champions.csv", "\n0,4,", "\n2,4,"),
                         "champions.csv:2: this is not the next champion"));
+}
+
+BOOST_AUTO_TEST_CASE(sizes_and_classes_out_of_order_are_refused_with_their_line) {
+    const TemporaryFolder folder;
+    const RecordedRun run = recorded(folder);
+    const auto refusal = [&](const std::string &name, const std::string &from, const std::string &to) {
+        const std::string whole = read_file(run.folder / name);
+        write_file(run.folder / name, replaced(whole, from, to));
+        const std::string said = message_of<InputError>([&] { history_of(run, {4}); });
+        write_file(run.folder / name, whole);
+        return said;
+    };
+    BOOST_TEST(
+        contains(refusal("sizes.csv.gz", "\n2,10,", "\n0,10,"), "sizes.csv.gz:6: generation 0 after 1"));
+    BOOST_TEST(contains(refusal("fitness_classes.csv.gz", "\n3,99,", "\n3,100,"),
+                        "fitness_classes.csv.gz:21: percent = 100"));
+}
+
+BOOST_AUTO_TEST_CASE(the_champion_of_a_time_is_the_last_before_it) {
+    const TemporaryFolder folder;
+    const auto champions = read_champions(recorded(folder));
+    BOOST_TEST(champion_after(champions, 1).generation == 0);
+    for (const int generations : {2, 3, 4})
+        BOOST_TEST(champion_after(champions, generations).generation == 1);
 }

@@ -15,12 +15,11 @@ namespace {
 struct Family {
     Family() {
         const Spec spec = fake_spec("osc", 4, 3);
-        RunWriter writer(folder / "run", spec, 1, fake_identity());
-        Population population = fake_population(spec, 1);
-        FakeSearch search;
+        RunWriter writer(folder / "run", spec, 1, fake_sources());
+        FakeRun run(spec, 1);
         for (int g = 0; g < 4; ++g) {
             for (int slot = 0; slot < 3; ++slot) {
-                Genome &genome = population.genomes[static_cast<std::size_t>(slot)];
+                Genome &genome = run.population().genomes[static_cast<std::size_t>(slot)];
                 genome.mother = g == 0 ? -1 : 3 * (g - 1) + slot;
                 genome.father = g == 2 ? 3 : -1;
                 genome.origin = g == 0   ? Origin::initial
@@ -28,9 +27,8 @@ struct Family {
                                 : g == 2 ? Origin::crossover
                                          : Origin::clone;
             }
-            observe_fake(writer, spec, population, search, g, [](int generation, int slot) {
-                return FakeLife{.fitness = 1.0 + generation + slot};
-            });
+            run.step(writer,
+                     [](int generation, int slot) { return FakeLife{.fitness = 1.0 + generation + slot}; });
         }
         writer.finish();
     }
@@ -82,4 +80,20 @@ BOOST_AUTO_TEST_CASE(a_genome_that_never_was_and_a_mother_born_later_are_refused
     write_table<IndividualRow>(run.folder, rows);
     BOOST_TEST(
         contains(message_of<InputError>([&] { lineage(run, 11, true); }), "who is not born before it"));
+}
+
+BOOST_AUTO_TEST_CASE(a_sample_has_a_lineage_unless_an_ancestor_is_missing) {
+    const Family family;
+    RecordedRun run = read_run(family.folder / "run");
+    const auto full = lineage(run, 11, true);
+    run.record = Recording::sample;
+    BOOST_TEST(lineage(run, 11, true).size() == full.size());
+
+    // The mother of the youngest is not in the sample.
+    auto rows = read_table<IndividualRow>(run.folder);
+    const std::int64_t mother = full.at(full.size() - 2).genome;
+    std::erase_if(rows, [&](const IndividualRow &row) { return row.genome == mother; });
+    write_table<IndividualRow>(run.folder, rows);
+    BOOST_TEST(contains(message_of<InputError>([&] { lineage(run, 11, true); }),
+                        "genome " + to_text(mother) + " is not in the sample that the run has recorded"));
 }

@@ -43,8 +43,8 @@ BOOST_AUTO_TEST_CASE(a_sample_is_of_all_runs_and_the_same_each_time_and_lived_as
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers(), fake_spec("land", 2, 24)};
     const auto runs = three_runs(folder, settings[0]);
-    const std::vector<Sample> one = draw_samples(settings, runs, 20, 1),
-                              two = draw_samples(settings, runs, 20, 2);
+    const std::vector<Sample> one = draw_samples(settings, {runs}, 20, 1),
+                              two = draw_samples(settings, {runs}, 20, 2);
     BOOST_REQUIRE(one.size() == 1u);
     BOOST_REQUIRE(two.size() == 1u);
     BOOST_TEST(one[0].spec == &settings[0]);
@@ -70,8 +70,24 @@ BOOST_AUTO_TEST_CASE(a_sample_larger_than_the_runs_is_everybody_once) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers(4)};
     const auto runs = three_runs(folder, settings[0]);
-    BOOST_TEST(draw_samples(settings, runs, 1000, 2).at(0).genomes.size() == 12u);
-    BOOST_CHECK_THROW(draw_samples(settings, folder / "none", 5, 1), InputError);
+    BOOST_TEST(draw_samples(settings, {runs}, 1000, 2).at(0).genomes.size() == 12u);
+    BOOST_CHECK_THROW(draw_samples(settings, {folder / "none"}, 5, 1), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(genomes_of_a_generation_that_was_not_kept_are_refused) {
+    const TemporaryFolder folder;
+    const auto drawn = [&](int generations) {
+        std::vector<Spec> settings{swimmers(3)};
+        settings[0].parameters.generations = generations;
+        return draw_samples(settings, {folder / "runs"}, 3, 1).at(0).genomes.front().id;
+    };
+    Spec longer = swimmers(3);
+    longer.parameters.generations = 30;
+    write_fake_run(folder / "runs", longer, 1, [](int, int) { return FakeLife{}; });
+    BOOST_TEST(drawn(30) == 29 * 3);
+    BOOST_TEST(drawn(26) == 25 * 3);
+    BOOST_TEST(contains(message_of<InputError>([&] { drawn(25); }),
+                        "the genomes of generation 24 are not kept in a run of 30 generations"));
 }
 
 BOOST_AUTO_TEST_CASE(a_parameter_concerns_the_worlds_that_it_shapes) {
@@ -106,7 +122,7 @@ BOOST_AUTO_TEST_CASE(a_varied_value_keeps_to_its_range_and_kind) {
 BOOST_AUTO_TEST_CASE(nothing_changes_with_the_same_value_and_all_is_lost_with_an_impossible_one) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers()};
-    const Sample sample = draw_samples(settings, three_runs(folder, settings[0]), 40, 2).at(0);
+    const Sample sample = draw_samples(settings, {three_runs(folder, settings[0])}, 40, 2).at(0);
     const SensitivityRow same = vary(sample, settings[0], "spring_stiffness", 2);
     BOOST_REQUIRE(same.viable_before > 0);
     BOOST_TEST(same.sampled == 40);
@@ -129,7 +145,7 @@ BOOST_AUTO_TEST_CASE(nothing_changes_with_the_same_value_and_all_is_lost_with_an
 BOOST_AUTO_TEST_CASE(weaker_muscles_move_less) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers()};
-    const Sample sample = draw_samples(settings, three_runs(folder, settings[0]), 40, 2).at(0);
+    const Sample sample = draw_samples(settings, {three_runs(folder, settings[0])}, 40, 2).at(0);
     Spec weak = settings[0];
     weak.actuation_range /= 2;
     const SensitivityRow row = vary(sample, weak, "actuation_range_aquatic", 2);

@@ -30,32 +30,62 @@ BOOST_AUTO_TEST_CASE(runs_are_ranked_by_fitness_and_equals_by_seed) {
     BOOST_TEST((ranking(setting) == std::vector<std::size_t>{4, 1, 2, 0, 3}));
 }
 
-BOOST_AUTO_TEST_CASE(runs_of_different_length_share_the_generations_that_all_have) {
+BOOST_AUTO_TEST_CASE(runs_that_are_too_short_are_left_out_and_told) {
     const TemporaryFolder folder;
     for (const auto &[seed, generations] : {std::pair{1, 5}, {2, 3}, {3, 4}})
         write_fake_run(folder.path(), fake_spec("ns", generations, 3), static_cast<std::uint64_t>(seed),
                        life);
-    const std::vector<Spec> wide{fake_spec("ns", 9, 3), fake_spec("neat", 9, 3)},
-        narrow{fake_spec("ns", 2, 3)};
-    const auto found = survey(wide, folder.path());
-    BOOST_TEST(found.at(0).generations == 3);
-    BOOST_TEST(found.at(0).runs.size() == 3u);
+    const std::vector<Spec> settings{fake_spec("ns", 4, 3), fake_spec("neat", 9, 3)};
+    std::vector<std::string> told;
+    const auto found = survey(
+        settings, {.folder = folder.path(), .tell = [&](const std::string &line) { told.push_back(line); }});
+    BOOST_TEST(found.at(0).generations == 4);
+    BOOST_REQUIRE(found.at(0).runs.size() == 2u);
+    BOOST_TEST(found.at(0).runs[0].seed == 1);
+    BOOST_TEST(found.at(0).runs[1].seed == 3);
     BOOST_TEST(found.at(1).generations == 0);
     BOOST_TEST(found.at(1).runs.empty());
-    BOOST_TEST(survey(narrow, folder.path()).at(0).generations == 2);
+    BOOST_TEST(told == std::vector{"left out: " + (folder / "ns/seed-002").string() +
+                                   ": 3 generations, where 4 are asked for"},
+               boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_run_of_another_population_is_refused) {
+BOOST_AUTO_TEST_CASE(only_the_chosen_seeds_are_taken_and_missing_ones_told) {
+    const TemporaryFolder folder;
+    for (const std::uint64_t seed : {1, 2, 3})
+        write_fake_run(folder.path(), fake_spec("ns", 2, 3), seed, life);
+    const std::vector<Spec> settings{fake_spec("ns", 2, 3)};
+    std::vector<std::string> told;
+    const auto found =
+        survey(settings, {.folder = folder.path(), .seeds = {3, 7, 1}, .tell = [&](const std::string &line) {
+                              told.push_back(line);
+                          }});
+    BOOST_REQUIRE(found.at(0).runs.size() == 2u);
+    BOOST_TEST(found.at(0).runs[0].seed == 1);
+    BOOST_TEST(found.at(0).runs[1].seed == 3);
+    BOOST_TEST(told == std::vector{"missing: " + (folder / "ns/seed-007").string()},
+               boost::test_tools::per_element());
+    BOOST_CHECK_THROW(survey(settings, {.folder = folder.path(), .seeds = {7}}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_of_another_identity_is_left_out_and_told) {
     const TemporaryFolder folder;
     write_fake_run(folder.path(), fake_spec("ns", 2, 3), 1, life);
+    write_fake_run(folder.path(), fake_spec("ns", 2, 30), 2, life);
     const std::vector<Spec> settings{fake_spec("ns", 2, 30)};
-    BOOST_TEST(message_of<InputError>([&] { survey(settings, folder.path()); }) ==
-               (folder / "ns/seed-001").string() + " has a population of 3, and the experiment one of 30");
+    std::vector<std::string> told;
+    const auto found = survey(
+        settings, {.folder = folder.path(), .tell = [&](const std::string &line) { told.push_back(line); }});
+    BOOST_TEST(found.at(0).runs.size() == 1u);
+    BOOST_TEST(told == std::vector{"left out: " + (folder / "ns/seed-001").string() +
+                                   ": another run: parameter population: recorded with 3, asked for with 30"},
+               boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(no_run_at_all_is_an_error) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{fake_spec("ns", 2, 30)};
-    BOOST_TEST(message_of<InputError>([&] { survey(settings, folder.path()); }) ==
-               "there is no complete run below " + folder.path().string());
+    BOOST_TEST(message_of<InputError>([&] { survey(settings, runs_in(folder.path())); }) ==
+               "there is no run of this experiment below " + folder.path().string() +
+                   " that has 2 generations");
 }

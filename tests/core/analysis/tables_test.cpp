@@ -17,9 +17,9 @@ FakeLife life(int generation, int slot) {
     return {.fitness = 1.0 + generation + slot, .moved = {1.0 * slot, 2.0 * generation}};
 }
 
-/// A setting read from runs of these lengths.
+/// A setting read from the runs below a folder.
 SettingRuns read_setting(const std::filesystem::path &folder, const Spec &spec) {
-    SettingRuns setting = survey(std::span(&spec, 1), folder).front();
+    SettingRuns setting = survey(std::span(&spec, 1), runs_in(folder)).front();
     const std::vector<int> marks{setting.generations};
     for (const RecordedRun &run : setting.runs) setting.histories.push_back(read_history(run, marks, 4));
     return setting;
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(the_best_genome_is_of_the_best_run_and_comes_back) {
         BOOST_TEST(row.cells == 33);
         genes.push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
     }
-    BOOST_TEST((genome_of(genes) == read_best_genome(setting.runs[1])));
+    BOOST_TEST((genome_of(genes) == read_champion_genome(setting.runs[1], 2)));
     const auto chosen = representatives(setting);
     BOOST_TEST(chosen[0].role == std::string("best"));
     BOOST_TEST(chosen[0].run == 1u);
@@ -163,16 +163,17 @@ BOOST_AUTO_TEST_CASE(the_best_genome_is_of_the_best_run_and_comes_back) {
 
 BOOST_AUTO_TEST_CASE(the_archive_shown_is_the_best_runs_and_ends_with_the_history) {
     const TemporaryFolder folder;
-    const Spec spec = fake_spec("ns", 6, 5), shorter = fake_spec("ns", 4, 5);
-    write_fake_run(folder.path(), spec, 1, life, 0.5);
+    const Spec spec = fake_spec("ns", 6, 5, "novelty"), shorter = fake_spec("ns", 4, 5, "novelty");
+    write_fake_run(folder.path(), spec, 1, life);
     const auto rows = archive_point_rows(read_setting(folder.path(), shorter));
     BOOST_REQUIRE(rows.size() == 4u);
     BOOST_TEST(rows[3].generation == 3);
     BOOST_TEST(rows[3].x == 3);
     BOOST_TEST(rows[3].y.value() == 6);
     const TemporaryFolder other;
-    write_fake_run(other.path(), spec, 1, life);
-    BOOST_TEST(archive_point_rows(read_setting(other.path(), spec)).empty());
+    const Spec without = fake_spec("ns", 6, 5);
+    write_fake_run(other.path(), without, 1, life);
+    BOOST_TEST(archive_point_rows(read_setting(other.path(), without)).empty());
 }
 
 BOOST_AUTO_TEST_CASE(a_settings_world_is_told_by_its_ground) {

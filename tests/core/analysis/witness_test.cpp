@@ -49,8 +49,12 @@ Spec swimmers() {
 /// Real runs of seeds 1 … 3, evolved under these settings' own engine.
 void evolve(const Spec &spec, const std::filesystem::path &runs) {
     for (const std::uint64_t seed : {1, 2, 3}) {
-        RunWriter writer(run_folder(runs, spec.name, seed), spec, seed, fake_identity());
-        run(spec, seed, 2, [&](const Generation &g) { writer.observe(g); });
+        RunWriter writer(run_folder(runs, spec.name, seed), spec, seed, fake_sources());
+        RunState state = begin(spec, seed);
+        writer.between(state, "");
+        run(
+            spec, seed, 2, state, [&](const Generation &g) { writer.observe(g); },
+            [&](const RunState &now) { writer.between(now, ""); });
         writer.finish();
     }
 }
@@ -184,8 +188,8 @@ BOOST_AUTO_TEST_CASE(champions_are_witnessed_the_same_on_any_number_of_threads) 
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers(), fake_spec("land", 1, 24)};
     evolve(settings[0], folder / "runs");
-    witness(settings, folder / "runs", folder / "one", 1);
-    witness(settings, folder / "runs", folder / "three", 3);
+    witness(settings, {folder / "runs"}, folder / "one", 1);
+    witness(settings, {folder / "runs"}, folder / "three", 3);
     for (const char *table : {"witness.csv", "engines.csv"})
         BOOST_TEST(read_bytes(folder.path() / "one" / table) == read_bytes(folder.path() / "three" / table),
                    table);
@@ -213,11 +217,12 @@ BOOST_AUTO_TEST_CASE(a_champion_of_bullet_is_held_to_its_life_in_bullet) {
     std::vector<Spec> settings{swimmers()};
     settings[0].engine = "bullet";
     evolve(settings[0], folder / "runs");
-    witness(settings, folder / "runs", folder / "data", 2);
+    witness(settings, {folder / "runs"}, folder / "data", 2);
     for (const WitnessRow &row : read_table<WitnessRow>(folder / "data"))
         BOOST_TEST(row.bullet_displacement == row.fitness);
+    // Under another engine there is no such run.
     settings[0].engine = "native";
-    BOOST_CHECK_THROW(witness(settings, folder / "runs", folder / "data", 2), InputError);
+    BOOST_CHECK_THROW(witness(settings, {folder / "runs"}, folder / "data", 2), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(a_champion_that_does_not_live_as_recorded_is_refused) {
@@ -225,12 +230,12 @@ BOOST_AUTO_TEST_CASE(a_champion_that_does_not_live_as_recorded_is_refused) {
     const std::vector<Spec> settings{swimmers()};
     write_fake_run(folder / "runs", settings[0], 1, [](int, int) { return FakeLife{.moved = {3, 4}}; });
     const std::string said =
-        message_of<InputError>([&] { witness(settings, folder / "runs", folder / "data", 1); });
+        message_of<InputError>([&] { witness(settings, {folder / "runs"}, folder / "data", 1); });
     BOOST_TEST(contains(said, "champions.csv: the best individual of 'water' moved 5 cells with 10 cells"),
                said);
     BOOST_TEST(contains(said, "the data are of another experiment or version"), said);
     BOOST_TEST(!std::filesystem::exists(folder / "data/engines.csv"));
     BOOST_TEST(
-        contains(message_of<InputError>([&] { witness(settings, folder / "none", folder / "data", 1); }),
-                 "there is no complete run below"));
+        contains(message_of<InputError>([&] { witness(settings, {folder / "none"}, folder / "data", 1); }),
+                 "there is no run of this experiment below"));
 }

@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_cannot_be_is_refused) {
         writer.group("archive").integer(length).integer(0);
         StateReader reader(writer.bytes());
         MapElitesSearch search(of(2, 1));
-        BOOST_CHECK_THROW(search.load(reader), InputError);
+        BOOST_CHECK_THROW(search.load(reader, {}), InputError);
     };
     refused({{1, {0.2}, 1}, {1, {0.7}, 1}}, 1); // two in a niche
     refused({{1, {0.2}, 0}}, 1);                // not valid

@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {
         StateWriter writer;
         before.search.save(writer);
         StateReader reader(writer.bytes());
-        after.search.load(reader);
+        after.search.load(reader, before.search.archive());
         reader.done();
         after.population.generation = stop;
         BOOST_TEST(live(through, stop, 40) == live(after, stop, 40), per_element());
@@ -284,11 +284,11 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     run.search.save(whole);
     for (std::size_t length = 0; length < whole.bytes().size(); ++length) {
         StateReader reader(std::string_view(whole.bytes()).substr(0, length));
-        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader), InputError);
+        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader, run.search.archive()), InputError);
     }
-    const auto refused = [](const StateWriter &writer) {
+    const auto refused = [](const StateWriter &writer, std::span<const ArchiveEntry> archive = {}) {
         StateReader reader(writer.bytes());
-        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader), InputError);
+        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader, archive), InputError);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto head = [](double threshold, int run_of_additions, int length, int entries, int quiet = 0) {
@@ -309,9 +309,14 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     refused(head(1, 0, 0, 0, Parameters().archive_patience));
     refused(head(1, 0, -1, 0));
     refused(head(1, 0, 2, 1000));
-    refused(head(1, 0, 0, 1).integer(0).integer(0).real(1).real(1)); // an entry without behaviour
-    refused(head(1, 0, 1, 1).integer(0).integer(0).real(1).real(1).real(nan));
-    refused(head(1, 0, 1, 1).integer(-1).integer(0).real(1).real(1).real(1));
+    const std::vector<ArchiveEntry> one{{0, 0, {1, 2}, 1, 1}}, bare{{0, 0, {}, 1, 1}};
+    refused(head(1, 0, 2, 0), one);
+    refused(head(1, 0, 2, 2), one);
+    refused(head(1, 0, 3, 1), one);
+    refused(head(1, 0, 0, 1), bare);
+    const StateWriter sound = head(1, 0, 2, 1);
+    StateReader reader(sound.bytes());
+    BOOST_CHECK_NO_THROW(Run(nearest(1)).search.load(reader, one));
 }
 
 BOOST_AUTO_TEST_CASE(behaviours_that_cannot_be_compared_are_the_users_error) {

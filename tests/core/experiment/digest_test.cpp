@@ -24,7 +24,7 @@ struct FakeSearch final : Search {
     std::span<const ArchiveEntry> archive() const override { return entries; }
     double archive_threshold() const override { return threshold; }
     void save(StateWriter &) const override {}
-    void load(StateReader &) override {}
+    void load(StateReader &, std::span<const ArchiveEntry>) override {}
 };
 
 /// Generation 7 of two individuals, with something in every list.
@@ -43,7 +43,7 @@ struct Made {
         population.species.resize(2);
         for (Species &species : population.species) species.members = {0};
         for (Life &life : lives) life.path.resize(2);
-        search.entries = {{6, 1, {1, 2}, 3}, {7, 2, {1, 2}, 3}, {7, 3, {1, 2}, 3}};
+        search.entries = {{6, 1, {1, 2}, 3, 4}, {7, 2, {1, 2}, 3, 4}, {7, 3, {1, 2}, 3, 4}};
     }
     std::string digest() const {
         Hash hash;
@@ -161,14 +161,14 @@ BOOST_AUTO_TEST_CASE(of_the_archive_come_the_new_entries_and_the_number_of_all) 
     Made made;
     change(made, made.search.entries);
     for (std::size_t i = 1; i < 3; ++i) {
-        auto &[generation, genome, behaviour, novelty] = made.search.entries[i];
-        change_each(made, generation, genome, behaviour, novelty);
+        auto &[generation, genome, behaviour, novelty, fitness] = made.search.entries[i];
+        change_each(made, generation, genome, behaviour, novelty, fitness);
     }
     // An entry of generation 6 is in the digest of that.
     const std::string before = made.digest();
     made.search.entries[0].novelty = 4;
     BOOST_TEST(made.digest() == before);
-    made.search.entries.insert(made.search.entries.begin(), ArchiveEntry{5, 0, {1, 2}, 3});
+    made.search.entries.insert(made.search.entries.begin(), ArchiveEntry{5, 0, {1, 2}, 3, 4});
     BOOST_TEST(made.digest() != before);
 }
 

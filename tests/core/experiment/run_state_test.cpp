@@ -25,9 +25,15 @@ std::string saved(const RunState &state) {
     return writer.bytes();
 }
 
-RunState loaded(const Spec &spec, const std::string &bytes) {
+using Archive = std::vector<ArchiveEntry>;
+
+Archive archive_of(const RunState &state) {
+    return {state.search->archive().begin(), state.search->archive().end()};
+}
+
+RunState loaded(const Spec &spec, const std::string &bytes, const Archive &archive) {
     StateReader reader(bytes);
-    RunState state = load_run_state(spec, reader);
+    RunState state = load_run_state(spec, archive, reader);
     reader.done();
     return state;
 }
@@ -44,7 +50,7 @@ std::string signature(const Spec &spec, int evaluations) {
                 spec, seed, 1, state, observe, [](const RunState &) {}, [&] { return asked++ == allowed; });
             return hash.hex();
         } catch (const Stopped &) {
-            state = loaded(spec, saved(state));
+            state = loaded(spec, saved(state), archive_of(state));
         }
     }
 }
@@ -83,11 +89,12 @@ BOOST_AUTO_TEST_CASE(individuals_kept_from_another_run_are_refused) {
         RunState early = stopped(spec, 1), late = stopped(spec, 3);
         RunState other = stopped(small(search, Actuation::grn), 1);
         BOOST_TEST(late.search->kept_genomes().size() > 0u);
-        loaded(spec, saved(early));
+        const auto load_early = [&] { loaded(spec, saved(early), archive_of(early)); };
+        load_early();
         early.search.swap(late.search); // genomes that are not born yet
-        BOOST_CHECK_THROW(loaded(spec, saved(early)), InputError);
+        BOOST_CHECK_THROW(load_early(), InputError);
         early.search.swap(other.search); // of another shape
-        BOOST_CHECK_THROW(loaded(spec, saved(early)), InputError);
+        BOOST_CHECK_THROW(load_early(), InputError);
     }
 }
 
@@ -107,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_stop_leaves_the_state_before_the_abandoned_generation) {
 BOOST_AUTO_TEST_CASE(the_state_of_another_setting_is_refused) {
     const Spec spec = small("neat", Actuation::oscillator);
     const std::string bytes = saved(begin(spec, seed));
-    loaded(spec, bytes);
-    BOOST_CHECK_THROW(loaded(small("novelty", Actuation::oscillator), bytes), InputError);
-    BOOST_CHECK_THROW(loaded(small("neat", Actuation::grn), bytes), InputError);
+    loaded(spec, bytes, {});
+    BOOST_CHECK_THROW(loaded(small("novelty", Actuation::oscillator), bytes, {}), InputError);
+    BOOST_CHECK_THROW(loaded(small("neat", Actuation::grn), bytes, {}), InputError);
 }

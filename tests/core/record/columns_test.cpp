@@ -20,9 +20,14 @@ BOOST_AUTO_TEST_CASE(every_column_is_explained_and_named_once_in_its_file) {
 BOOST_AUTO_TEST_CASE(headers_are_what_other_programs_expect) {
     BOOST_TEST(
         header_line<GenerationRow>() ==
-        "generation,best_fitness,best_slot,mean_fitness,valid,species,threshold,mean_links,mean_hidden,"
-        "archive,archive_threshold,viable,died_out,too_small,overgrown,never_settled,exploded,overborn,shape_"
-        "diversity\n");
+        "generation,best_fitness,best_slot,best_x,best_y,mean_fitness,valid,fitness_low,fitness_median,"
+        "fitness_high,moved,heading_x,heading_y,species,threshold,mean_links,mean_hidden,archive,"
+        "archive_threshold,viable,died_out,too_small,overgrown,never_settled,exploded,overborn,"
+        "shape_diversity\n");
+    BOOST_TEST(header_line<SizeRow>() == "generation,cells,individuals\n");
+    BOOST_TEST(header_line<FitnessClassRow>() == "generation,percent,individuals\n");
+    BOOST_TEST(header_line<ChainRow>() == "generation,content,link\n");
+    BOOST_TEST(header_line<IdentityRow>() == "key,value,place,standard\n");
     BOOST_TEST(
         header_line<IndividualRow>() ==
         "generation,slot,genome,mother,father,origin,species,fitness,score,penalty,outcome,cells,births,"

@@ -3,12 +3,16 @@
 #pragma once
 
 #include "base/text.h"
+#include "evolution/search.h"
+#include "record/run_reader.h"
 #include "record/run_writer.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <unistd.h>
@@ -59,6 +63,22 @@ template <class Kind, class Action> std::string message_of(Action &&action) {
     return "";
 }
 
+/// Every file below a folder, by its path there.
+inline std::map<std::string, std::string> contents(const std::filesystem::path &folder) {
+    std::map<std::string, std::string> files;
+    for (const auto &entry : std::filesystem::recursive_directory_iterator(folder))
+        if (!entry.is_directory())
+            files[entry.path().lexically_relative(folder).generic_string()] = read_bytes(entry.path());
+    return files;
+}
+
+/// Replaces the first `from` in a text, which must be there.
+inline std::string replaced(std::string text, const std::string &from, const std::string &to) {
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::runtime_error("the text lacks " + from);
+    return text.replace(at, from.size(), to);
+}
+
 inline bool contains(const std::string &text, const std::string &part) {
     return text.find(part) != std::string::npos;
 }
@@ -74,35 +94,47 @@ struct FakeLife {
 
 using Invent = std::function<FakeLife(int generation, int slot)>;
 
-/// A search that keeps the archive it is given.
+/// A search that rewards nobody. That of a setting with an archive takes in the best of every generation.
 struct FakeSearch : Search {
+    bool has_archive = false;
     std::vector<ArchiveEntry> entries;
-    double threshold = 0;
 
     std::vector<double> score(const Population &, std::span<const Evaluation>) override { return {}; }
     Population next(const Population &population, std::span<const double>, const NetworkShape &,
                     std::uint64_t) const override {
         return population;
     }
-    bool keeps_archive() const override { return threshold > 0; }
+    bool keeps_archive() const override { return has_archive; }
     std::span<const ArchiveEntry> archive() const override { return entries; }
-    double archive_threshold() const override { return threshold; }
-    void save(StateWriter &) const override {}
-    void load(StateReader &) override {}
+    double archive_threshold() const override { return has_archive ? 0.5 : 0; }
+    /// As the setting's own search has it, which reads it back.
+    void save(StateWriter &writer) const override {
+        if (!has_archive) {
+            writer.group("fitness search");
+            return;
+        }
+        writer.group("novelty search").group("archive").real(archive_threshold()).integer(0).integer(0);
+        writer.integer(entries.empty() ? 0 : 2).integer(static_cast<std::int64_t>(entries.size()));
+    }
+    void load(StateReader &, std::span<const ArchiveEntry>) override {}
 };
 
-inline Spec fake_spec(const std::string &name, int generations, int population) {
+/// `search`: "neat", or "novelty" for a run with an archive.
+inline Spec fake_spec(const std::string &name, int generations, int population,
+                      const std::string &search = "neat") {
     Spec spec;
     spec.name = name;
     spec.title = "A setting called \"" + name + "\", invented";
+    spec.search = search;
     spec.parameters.generations = generations;
     spec.parameters.population = population;
     spec.judge = [](const Life &) { return Evaluation{}; };
+    spec.judgement = {{"fitness", std::string(64, 'a'), "fake.lua:1"}};
     return spec;
 }
 
-inline RunIdentity fake_identity(const std::string &resolved = "resolved") {
-    return {"fake.lua", "return {} -- a script\n", resolved};
+inline RunSources fake_sources() {
+    return {{{"experiment.lua", "fake.lua", "return {} -- a script\n"}}, {{"population", 5}}};
 }
 
 inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
@@ -120,30 +152,6 @@ inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
     return life;
 }
 
-/// Hands the writer one generation. With a `threshold` the search has an archive, which takes the best of
-/// every generation.
-inline void observe_fake(RunWriter &writer, const Spec &spec, Population &population, FakeSearch &search,
-                         int generation, const Invent &invent) {
-    std::vector<Life> lives;
-    std::vector<Evaluation> evaluations;
-    std::vector<double> scores;
-    int best = 0;
-    for (int slot = 0; slot < spec.parameters.population; ++slot) {
-        const FakeLife fake = invent(generation, slot);
-        lives.push_back(life_of(fake, spec.parameters));
-        const bool viable = fake.outcome == Outcome::viable;
-        evaluations.push_back({viable ? fake.fitness : 0, {fake.moved.x, fake.moved.y}, viable ? 1.0 : 0.0});
-        scores.push_back(evaluations.back().fitness);
-        if (evaluations[slot].fitness > evaluations[best].fitness) best = slot;
-        population.genomes[slot].id = std::int64_t{generation} * spec.parameters.population + slot;
-    }
-    population.generation = generation;
-    if (search.threshold > 0)
-        search.entries.push_back(
-            {generation, population.genomes[best].id, evaluations[best].behaviour, 1.5 + generation});
-    writer.observe({generation, population, lives, evaluations, scores, search, best});
-}
-
 /// A population of minimal genomes, all of one species.
 inline Population fake_population(const Spec &spec, std::uint64_t seed) {
     Population population =
@@ -152,20 +160,84 @@ inline Population fake_population(const Spec &spec, std::uint64_t seed) {
     for (int slot = 0; slot < spec.parameters.population; ++slot) all.members.push_back(slot);
     all.representative = population.genomes.front();
     population.species = {all};
+    population.next_species = 10;
     return population;
+}
+
+/// A run whose lives are invented: in every generation the same genomes under new numbers.
+class FakeRun {
+  public:
+    FakeRun(const Spec &spec, std::uint64_t seed) : spec_(spec) {
+        auto search = std::make_unique<FakeSearch>();
+        search->has_archive = spec.search != "neat";
+        search_ = search.get();
+        state_ = {fake_population(spec, seed), std::move(search)};
+    }
+
+    /// That of the next generation; its genomes are numbered when that comes.
+    Population &population() { return state_.population; }
+
+    /// Calls visit(generation) for the next generation.
+    template <class Visit> void observe(const Invent &invent, Visit &&visit) {
+        Population &population = state_.population;
+        const int generation = population.generation, size = spec_.parameters.population;
+        std::vector<Life> lives;
+        std::vector<Evaluation> evaluations;
+        std::vector<double> scores;
+        int best = 0;
+        for (int slot = 0; slot < size; ++slot) {
+            const FakeLife fake = invent(generation, slot);
+            lives.push_back(life_of(fake, spec_.parameters));
+            const bool viable = fake.outcome == Outcome::viable;
+            evaluations.push_back(
+                {viable ? fake.fitness : 0, {fake.moved.x, fake.moved.y}, viable ? 1.0 : 0.0});
+            scores.push_back(evaluations.back().fitness);
+            if (evaluations[slot].fitness > evaluations[best].fitness) best = slot;
+        }
+        if (search_->has_archive)
+            search_->entries.push_back({generation, population.genomes[best].id, evaluations[best].behaviour,
+                                        1.5 + generation, evaluations[best].fitness});
+        visit(Generation{generation, population, lives, evaluations, scores, *search_, best, {}});
+        ++population.generation;
+    }
+
+    /// Hands the writer what a real run does for one generation.
+    void step(RunWriter &writer, const Invent &invent) {
+        number_genomes();
+        writer.between(state_, "");
+        observe(invent, [&](const Generation &generation) { writer.observe(generation); });
+    }
+
+  private:
+    void number_genomes() {
+        Population &population = state_.population;
+        const int size = spec_.parameters.population;
+        population.next_genome = std::int64_t{population.generation + 1} * size;
+        for (int slot = 0; slot < size; ++slot)
+            population.genomes[slot].id = std::int64_t{population.generation} * size + slot;
+        for (Species &species : population.species)
+            species.representative = population.genomes[species.members.front()];
+    }
+
+    Spec spec_;
+    RunState state_;
+    FakeSearch *search_;
+};
+
+/// Writes a whole run into a folder.
+inline void write_fake_run_into(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
+                                const Invent &invent) {
+    RunWriter writer(folder, spec, seed, fake_sources());
+    FakeRun run(spec, seed);
+    for (int generation = 0; generation < spec.parameters.generations; ++generation) run.step(writer, invent);
+    writer.finish();
 }
 
 /// Writes a whole run below `runs` and returns its folder.
 inline std::filesystem::path write_fake_run(const std::filesystem::path &runs, const Spec &spec,
-                                            std::uint64_t seed, const Invent &invent, double threshold = 0) {
+                                            std::uint64_t seed, const Invent &invent) {
     const std::filesystem::path folder = run_folder(runs, spec.name, seed);
-    RunWriter writer(folder, spec, seed, fake_identity());
-    Population population = fake_population(spec, seed);
-    FakeSearch search;
-    search.threshold = threshold;
-    for (int generation = 0; generation < spec.parameters.generations; ++generation)
-        observe_fake(writer, spec, population, search, generation, invent);
-    writer.finish();
+    write_fake_run_into(folder, spec, seed, invent);
     return folder;
 }
 

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(hostile_rows_are_refused_with_the_rule) {
 BOOST_AUTO_TEST_CASE(a_damaged_table_is_a_sound_genome_or_an_error_and_nothing_else) {
     const TemporaryFolder folder;
     write_table<GenomeRow>(folder.path(), genome_rows(specimen()));
-    const std::string whole = read_bytes(folder / "best_genome.csv");
+    const std::string whole = read_bytes(folder / "genome.csv");
     Stream stream(2, 0, 0, Purpose::sampling);
     int sound = 0, refused = 0;
     for (int i = 0; i < 3000; ++i) {
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_table_is_a_sound_genome_or_an_error_and_nothing_e
             if (kind == 1) bytes.erase(at, 1);
             if (kind == 2) bytes.insert(at, 1, bytes[at]);
         }
-        write_bytes(folder / "best_genome.csv", bytes);
+        write_bytes(folder / "genome.csv", bytes);
         try {
             check_genome(genome_of(read_table<GenomeRow>(folder.path())));
             ++sound;

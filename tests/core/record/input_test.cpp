@@ -7,6 +7,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 using namespace planula;
 
 namespace {
@@ -23,9 +26,45 @@ BOOST_AUTO_TEST_CASE(a_missing_file_is_named_with_the_reason) {
                "cannot open " + (folder / "curves.csv").string() + ": No such file or directory");
 }
 
-BOOST_AUTO_TEST_CASE(a_folder_cannot_be_read_as_a_file) {
+BOOST_AUTO_TEST_CASE(a_folder_and_a_pipe_without_a_writer_are_refused_at_once) {
     const TemporaryFolder folder;
-    BOOST_CHECK_THROW(content_sha256(folder.path()), IoError);
+    const std::filesystem::path pipe = folder / "pipe";
+    BOOST_REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    for (const auto &path : {folder.path(), pipe}) {
+        BOOST_TEST(refusal(path) == path.string() + ": is not a file");
+        BOOST_TEST(message_of<InputError>([&] { read_file(path); }) == path.string() + ": is not a file");
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_file_below_a_file_is_as_one_that_is_not_there) {
+    const TemporaryFolder folder;
+    write_file(folder / "file", "");
+    BOOST_TEST(contains(refusal(folder / "file/table.csv"), "Not a directory"));
+}
+
+BOOST_AUTO_TEST_CASE(what_may_not_be_read_now_may_be_read_another_time) {
+    const TemporaryFolder folder;
+    // Links in a circle are refused whoever asks; a file without permission only if the tests are not root's.
+    std::filesystem::create_symlink(folder / "circle", folder / "circle");
+    BOOST_TEST(contains(message_of<IoError>([&] { content_sha256(folder / "circle"); }),
+                        "cannot open " + (folder / "circle").string() + ": "));
+    write_file(folder / "secret", "text");
+    std::filesystem::permissions(folder / "secret", std::filesystem::perms::none);
+    if (::access((folder / "secret").c_str(), R_OK) == 0) return;
+    BOOST_TEST(
+        contains(message_of<IoError>([&] { content_sha256(folder / "secret"); }), "Permission denied"));
+}
+
+BOOST_AUTO_TEST_CASE(a_file_is_read_whole_whatever_its_size) {
+    const TemporaryFolder folder;
+    for (const std::size_t size : {0, 1, 65'535, 65'536, 65'537, 300'000}) {
+        std::string text(size, 'a');
+        for (std::size_t at = 0; at < size; at += 7) text[at] = static_cast<char>('b' + at % 13);
+        write_file(folder / "plain", text);
+        write_file(folder / "packed.gz", text);
+        BOOST_TEST((read_file(folder / "plain") == text));
+        BOOST_TEST((read_file(folder / "packed.gz") == text));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_content_of_a_packed_file_has_the_hash_of_its_plain_text) {

@@ -109,3 +109,19 @@ BOOST_AUTO_TEST_CASE(a_folder_is_held_by_one_at_a_time) {
     }
     const FolderLock again(folder.path());
 }
+
+BOOST_AUTO_TEST_CASE(a_copy_has_the_same_bytes_and_replaces_nothing) {
+    const TemporaryFolder folder;
+    for (const std::size_t size : {0, 1, 65'536, 200'000}) {
+        std::string bytes(size, 'x');
+        for (std::size_t at = 0; at < size; at += 3) bytes[at] = static_cast<char>(at % 251);
+        write_bytes(folder / "from", bytes);
+        planula::copy_file(folder / "from", folder / "to");
+        BOOST_TEST((read_bytes(folder / "to") == bytes));
+        BOOST_CHECK_THROW(planula::copy_file(folder / "from", folder / "to"), CreateError);
+        std::filesystem::remove(folder / "to");
+    }
+    BOOST_CHECK_THROW(planula::copy_file(folder / "nowhere", folder / "to"), IoError);
+    BOOST_TEST(!std::filesystem::exists(folder / "to"));
+    BOOST_CHECK_THROW(planula::copy_file(folder / "from", "/dev/full"), CreateError);
+}

@@ -1,157 +1,150 @@
 // SPDX-License-Identifier: MIT
-// Runs that are stopped, killed and damaged on the way, and what their directories come to in the end.
+// Runs that are stopped, killed and damaged on the way, and what their folders come to in the end.
 #include "record/run_writer.h"
 
 #include "base/error.h"
 #include "base/state.h"
-#include "core/record/fake_run.h"
+#include "core/record/quick_run.h"
+#include "record/packed.h"
 #include "record/sealed.h"
-#include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <map>
-
 using namespace planula;
+using namespace planula::quick;
+namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t seed = 6;
-constexpr int generations = 5;
+const std::vector<std::string> journals{
+    "generations.csv.part",         "sizes.csv.gz.part",   "fitness_classes.csv.gz.part",
+    "individuals.csv.gz.part",      "species.csv.gz.part", "champions.csv.part",
+    "champion_genomes.csv.gz.part", "archive.csv.gz.part", "chain.csv.part"};
 
-/// Lives that are over soon: embryos of a few steps, judged by what their network made of them.
-Spec quick(const std::string &search = "novelty") {
-    Spec spec = fake_spec("quick", generations, 6);
-    spec.search = search;
-    spec.environment = specimens::water();
-    spec.parameters.locomotion_steps = 20;
-    spec.parameters.development_steps = 300;
-    spec.parameters.archive_threshold = 0.001;
-    spec.judge = [](const Life &life) {
-        return Evaluation{life.elongation + life.cells, {life.elongation, life.cells * 0.1}, 1};
-    };
-    return spec;
+/// A folder in which generations 0 to 3 of 5 are done, with checkpoints at 2 and at 4, and the state before 4.
+void leave_two_checkpoints(const fs::path &folder) {
+    run_on(folder, quick::spec(), 2 * population);
+    run_on(folder, quick::spec(), 2 * population);
 }
 
-/// Runs for so many further evaluations, and to the end without a number; then the directory is closed.
-bool run_on(const std::filesystem::path &folder, const Spec &spec, int evaluations = -1,
-            const RunIdentity &identity = fake_identity()) {
-    RunWriter writer(folder, spec, seed, identity, 2);
-    std::optional<RunState> left = writer.take_state();
-    RunState state = left ? std::move(*left) : begin(spec, seed);
-    const std::string memory = writer.memory() + "+";
-    try {
-        run(
-            spec, seed, 1, state, [&](const Generation &generation) { writer.observe(generation); },
-            [&](const RunState &now) { writer.between(now, memory); },
-            [asked = 0, evaluations]() mutable { return asked++ == evaluations; });
-    } catch (const Stopped &) {
-        writer.keep(state, memory);
-        return false;
-    }
-    writer.finish();
-    return true;
+/// A run that cannot resume: what is said about it; nothing of it may change.
+std::string refusal(const fs::path &folder, const Spec &asked = quick::spec()) {
+    const auto before = contents(folder);
+    const std::string said = message_of<InputError>([&] { run_on(folder, asked); });
+    BOOST_TEST((contents(folder) == before), said);
+    return said;
 }
 
-std::map<std::string, std::string> contents(const std::filesystem::path &folder) {
-    std::map<std::string, std::string> files;
-    for (const auto &entry : std::filesystem::directory_iterator(folder))
-        files[entry.path().filename().string()] = read_bytes(entry.path());
-    return files;
-}
-
-/// A directory in which generations 0 to 3 are done, with a checkpoint at 2 and one at 4.
-void leave_two_checkpoints(const std::filesystem::path &folder) {
-    run_on(folder, quick(), 2 * 6);
-    run_on(folder, quick(), 2 * 6);
-}
+void duplicate(const fs::path &from, const fs::path &to) { fs::copy(from, to, fs::copy_options::recursive); }
 
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_run_stopped_at_every_generation_leaves_the_same_bytes) {
     for (const std::string search : {"neat", "novelty"}) {
         const TemporaryFolder folder;
-        run_on(folder / "whole", quick(search));
+        quick::write(folder / "whole", quick::spec(search));
         const auto whole = contents(folder / "whole");
-        BOOST_TEST(whole.count("archive.csv") == (search == "novelty" ? 1u : 0u));
-        for (const int evaluations : {6, 7, 17}) {
-            const std::filesystem::path place = folder / to_text(evaluations);
-            int starts = 1;
-            while (!run_on(place, quick(search), evaluations)) ++starts;
-            BOOST_TEST(starts >= 2);
-            BOOST_TEST((contents(place) == whole));
-        }
+        BOOST_TEST(whole.count("archive.csv.gz") == (search == "novelty" ? 1u : 0u));
+        for (const int evaluations : {6, 7, 17})
+            for (const End end : {End::stopped, End::killed}) {
+                if (end == End::killed && evaluations < 2 * population)
+                    continue; // never comes to a checkpoint
+                const fs::path place = folder / (to_text(evaluations) + (end == End::killed ? "k" : "s"));
+                int starts = 1;
+                while (!run_on(place, quick::spec(search), evaluations, end)) ++starts;
+                BOOST_TEST(starts >= 2);
+                BOOST_TEST((contents(place) == whole));
+            }
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_run_killed_between_checkpoints_goes_on_from_the_last_one) {
+BOOST_AUTO_TEST_CASE(a_run_killed_between_checkpoints_resumes_from_the_last_one) {
     const TemporaryFolder folder;
-    run_on(folder / "whole", quick());
-    run_on(folder / "run", quick(), 2 * 6);
+    quick::write(folder / "whole", quick::spec());
+    run_on(folder / "run", quick::spec(), 2 * population);
     const auto stopped = contents(folder / "run");
-    run_on(folder / "run", quick(), 6);
+    run_on(folder / "run", quick::spec(), population);
 
     // The tables have grown, and the checkpoint is that of two generations; a temporary was left behind.
-    for (const char *file : {"checkpoint"})
-        write_bytes(folder / "run" / std::filesystem::path(file), stopped.at(file));
+    write_bytes(folder / "run/checkpoint", stopped.at("checkpoint"));
     write_bytes(folder / "run/generations.csv.tmp", "half a tab");
     write_bytes(folder / "run/checkpoint.tmp", "half a check");
-    BOOST_TEST(run_on(folder / "run", quick()));
+    BOOST_TEST(run_on(folder / "run", quick::spec()));
     BOOST_TEST((contents(folder / "run") == contents(folder / "whole")));
 }
 
-BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_costs_generations_and_no_result) {
+BOOST_AUTO_TEST_CASE(a_damaged_state_costs_generations_and_no_result) {
     const TemporaryFolder folder;
-    run_on(folder / "whole", quick());
+    quick::write(folder / "whole", quick::spec());
     const auto whole = contents(folder / "whole");
     leave_two_checkpoints(folder / "left");
-    for (const bool both : {false, true}) {
-        const std::filesystem::path place = folder / (both ? "both" : "one");
-        std::filesystem::copy(folder / "left", place);
-        write_bytes(place / "checkpoint", read_bytes(place / "checkpoint").substr(0, 1000));
-        if (both) write_bytes(place / "checkpoint.previous", "");
+    const auto resumes_with = [&](const std::vector<std::string> &damaged, int generation) {
+        const fs::path place = folder / to_text(static_cast<std::int64_t>(damaged.size()));
+        duplicate(folder / "left", place);
+        for (const std::string &file : damaged)
+            write_bytes(place / file, read_bytes(place / file).substr(0, 1000));
         {
-            RunWriter writer(place, quick(), seed, fake_identity(), 2);
-            BOOST_TEST(writer.damaged().size() == (both ? 2u : 1u));
-            const auto state = writer.take_state();
-            BOOST_TEST(state.has_value() == !both);
-            if (state) BOOST_TEST(state->population.generation == 2);
+            RunWriter writer(place, quick::spec(), quick::seed, fake_sources(), 2);
+            BOOST_TEST(writer.damaged().size() == damaged.size());
+            BOOST_TEST(writer.take_state().value().population.generation == generation);
+            // It must not be taken for the one before a new one.
+            BOOST_TEST(!fs::exists(place / "checkpoint"));
         }
-        BOOST_TEST(run_on(place, quick()));
+        BOOST_TEST(run_on(place, quick::spec()));
         BOOST_TEST((contents(place) == whole));
-    }
+    };
+    resumes_with({"checkpoint"}, 4);
+    resumes_with({"checkpoint", "states/000004.state"}, 2);
+}
+
+BOOST_AUTO_TEST_CASE(with_every_checkpoint_damaged_a_kept_state_will_do) {
+    const TemporaryFolder folder;
+    quick::write(folder / "whole", quick::spec());
+    leave_two_checkpoints(folder / "run");
+    for (const char *file : {"checkpoint", "checkpoint.previous"})
+        write_bytes(folder / "run" / fs::path(file), "damaged");
+    BOOST_TEST(run_on(folder / "run", quick::spec()));
+    BOOST_TEST((contents(folder / "run") == contents(folder / "whole")));
+}
+
+BOOST_AUTO_TEST_CASE(without_a_state_that_can_be_read_nothing_is_changed) {
+    const TemporaryFolder folder;
+    leave_two_checkpoints(folder / "run");
+    for (const char *file : {"checkpoint", "checkpoint.previous", "states/000004.state"})
+        write_bytes(folder / "run" / fs::path(file), "");
+    const std::string said = refusal(folder / "run");
+    BOOST_TEST(contains(said, (folder / "run").string() + ": no state of the run can be read, " +
+                                  (folder / "run/checkpoint").string() + " is damaged"),
+               said);
 }
 
 BOOST_AUTO_TEST_CASE(a_table_that_was_edited_or_cut_is_refused_by_name) {
     const TemporaryFolder folder;
     leave_two_checkpoints(folder / "left");
-    for (const char *table : {"generations.csv.part", "individuals.csv.gz.part", "species.csv.gz.part",
-                              "champions.csv.part", "champion_genomes.csv.gz.part"})
+    for (const std::string &table : journals)
         for (const bool cut : {false, true}) {
-            std::string bytes = read_bytes(folder / "left" / std::filesystem::path(table));
-            const std::string good = bytes;
+            const std::string good = read_bytes(folder / "left" / table);
+            std::string bytes = good;
             if (cut)
                 bytes.pop_back();
             else
                 bytes[bytes.size() / 2] ^= 1;
-            write_bytes(folder / "left" / std::filesystem::path(table), bytes);
-            const std::string said = message_of<InputError>([&] { run_on(folder / "left", quick()); });
-            BOOST_TEST(contains(said, table), said);
-            write_bytes(folder / "left" / std::filesystem::path(table), good);
+            write_bytes(folder / "left" / table, bytes);
+            BOOST_TEST(contains(refusal(folder / "left"), table), table);
+            write_bytes(folder / "left" / table, good);
         }
-    BOOST_TEST(run_on(folder / "left", quick()));
+    fs::remove(folder / "left/species.csv.gz.part");
+    BOOST_TEST(contains(refusal(folder / "left"), "species.csv.gz.part"));
 }
 
 BOOST_AUTO_TEST_CASE(a_checkpoint_that_makes_no_sense_is_refused_by_name_and_nothing_is_lost) {
     const TemporaryFolder folder;
     leave_two_checkpoints(folder / "left");
-    const auto before = contents(folder / "left");
+    const std::string whole = read_bytes(folder / "left/checkpoint");
     const auto refused = [&](const std::string &from, const std::string &to) {
-        std::string content(unseal(before.at("checkpoint")).value());
-        const std::size_t at = content.find(from);
-        BOOST_REQUIRE(at != std::string::npos);
-        write_bytes(folder / "left/checkpoint", seal(content.replace(at, from.size(), to)));
-        const std::string said = message_of<InputError>([&] { run_on(folder / "left", quick()); });
+        const std::string content = unpack(unseal(whole).value());
+        write_bytes(folder / "left/checkpoint", seal(pack(replaced(content, from, to))));
+        const std::string said = refusal(folder / "left");
         BOOST_TEST(contains(said, (folder / "left/checkpoint").string() + ": "), said);
     };
     const std::string generation = StateWriter().group("population").integer(4).bytes();
@@ -159,25 +152,67 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_that_makes_no_sense_is_refused_by_name_and_not
     refused(generation, StateWriter().group("population").integer(3).bytes());
     refused("novelty search", "novelty sEarch");
     refused("champions.csv", "champions.cvs");
-    write_bytes(folder / "left/checkpoint", before.at("checkpoint"));
-    BOOST_TEST((contents(folder / "left") == before));
-    BOOST_TEST(run_on(folder / "left", quick()));
+    write_bytes(folder / "left/checkpoint", whole);
+    BOOST_TEST(run_on(folder / "left", quick::spec()));
 }
 
-BOOST_AUTO_TEST_CASE(the_checkpoint_of_another_run_is_not_taken_up) {
+BOOST_AUTO_TEST_CASE(a_state_of_another_run_is_refused) {
     const TemporaryFolder folder;
     leave_two_checkpoints(folder / "run");
-    RunWriter writer(folder / "run", quick(), seed, fake_identity("resolved otherwise"));
-    BOOST_TEST(!writer.take_state());
-    BOOST_TEST(writer.memory().empty());
-    BOOST_TEST(!std::filesystem::exists(folder / "run/checkpoint"));
-    BOOST_TEST(!std::filesystem::exists(folder / "run/checkpoint.previous"));
+    Spec other = quick::spec();
+    other.parameters.add_node_rate += 0.01;
+    leave_two_checkpoints(folder / "here");
+    {
+        const auto there = folder / "other";
+        run_on(there, other, 2 * population);
+        run_on(there, other, 2 * population);
+    }
+    for (const char *file : {"checkpoint", "states/000004.state"}) {
+        const auto place = folder / "run" / fs::path(file);
+        const std::string own = read_bytes(place);
+        if (std::string(file) != "checkpoint") fs::remove(folder / "run/checkpoint");
+        write_bytes(place, read_bytes(folder / "other" / fs::path(file)));
+        BOOST_TEST(refusal(folder / "run") ==
+                   place.string() + ": it is a state of another run. Nothing was changed.");
+        write_bytes(place, own);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(what_the_judge_remembers_comes_back) {
     const TemporaryFolder folder;
-    leave_two_checkpoints(folder / "run");
-    const RunWriter writer(folder / "run", quick(), seed, fake_identity());
-    BOOST_TEST(writer.memory() == "++");
+    {
+        RunWriter writer(folder / "run", quick::spec(), quick::seed, fake_sources(), 2);
+        RunState state = begin(quick::spec(), quick::seed);
+        BOOST_CHECK_THROW(run(
+                              quick::spec(), quick::seed, 1, state,
+                              [&](const Generation &generation) { writer.observe(generation); },
+                              [&](const RunState &now) { writer.between(now, std::string("mem\0ory", 7)); },
+                              [asked = 0]() mutable { return asked++ == 2 * population; }),
+                          Stopped);
+        BOOST_TEST(writer.memory().empty());
+    }
+    const RunWriter writer(folder / "run", quick::spec(), quick::seed, fake_sources());
+    BOOST_TEST(writer.memory() == std::string("mem\0ory", 7));
     BOOST_TEST(writer.best_fitness() > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_is_further_than_asked_for_takes_one_generation_to_its_end) {
+    const TemporaryFolder folder;
+    run_on(folder / "run", quick::spec("novelty", 9), 4 * population);
+    {
+        const RunWriter writer(folder / "run", quick::spec("novelty", 3), quick::seed, fake_sources());
+        BOOST_TEST(!writer.is_complete());
+        BOOST_TEST(writer.generations() == 5);
+    }
+    BOOST_TEST(run_on(folder / "run", quick::spec("novelty", 3)));
+    quick::write(folder / "at_once", quick::spec("novelty", 5));
+    BOOST_TEST((contents(folder / "run") == contents(folder / "at_once")));
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_ends_earlier_than_it_began_to_is_as_if_it_had_been_so_asked) {
+    const TemporaryFolder folder;
+    quick::write(folder / "at_once", quick::spec("neat", 5));
+    run_on(folder / "run", quick::spec("neat", 9), 4 * population);
+    BOOST_TEST(run_on(folder / "run", quick::spec("neat", 5)));
+    BOOST_TEST((contents(folder / "run") == contents(folder / "at_once")));
 }

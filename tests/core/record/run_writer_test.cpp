@@ -3,10 +3,17 @@
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
+#include "experiment/sample.h"
+#include "record/chain.h"
+#include "record/csv.h"
 #include "record/genome_table.h"
+#include "record/input.h"
 #include "record/run_reader.h"
 
 #include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace planula;
 
@@ -21,8 +28,25 @@ FakeLife life(int generation, int slot) {
     return {.fitness = fitness - slot, .moved = {3, 4}, .cells = 20 + slot};
 }
 
-const std::vector<std::string> result_files{"experiment.lua",     "resolved.lua",  "generations.csv",
-                                            "individuals.csv.gz", "champions.csv", "best_genome.csv"};
+const std::vector<std::string> result_files{"identity.csv",
+                                            "script/experiment.lua",
+                                            "script/overrides.csv",
+                                            "generations.csv",
+                                            "sizes.csv.gz",
+                                            "fitness_classes.csv.gz",
+                                            "individuals.csv.gz",
+                                            "species.csv.gz",
+                                            "champions.csv",
+                                            "champion_genomes.csv.gz",
+                                            "chain.csv",
+                                            "states/000002.state",
+                                            "manifest.csv"};
+
+/// A full disk for one file of a run.
+void fill_disk_of(const std::filesystem::path &file) {
+    make_folder(file.parent_path());
+    std::filesystem::create_symlink("/dev/full", file);
+}
 
 } // namespace
 
@@ -32,91 +56,137 @@ BOOST_AUTO_TEST_CASE(a_run_is_complete_only_when_it_is_finished) {
     const std::filesystem::path place = run_folder(folder.path(), "osc", seed);
     BOOST_TEST(place == folder / "osc/seed-005");
     {
-        RunWriter writer(place, spec, seed, fake_identity());
-        Population population = fake_population(spec, seed);
-        FakeSearch search;
-        for (int g = 0; g < 3; ++g) observe_fake(writer, spec, population, search, g, life);
-        BOOST_TEST(!is_complete(place, spec, seed, fake_identity()));
+        RunWriter writer(place, spec, seed, fake_sources());
+        BOOST_TEST(!writer.is_complete());
+        BOOST_TEST(writer.generations() == 3);
+        FakeRun run(spec, seed);
+        for (int g = 0; g < 3; ++g) run.step(writer, life);
+        BOOST_TEST(complete_generations(place) == 0);
         BOOST_TEST(!std::filesystem::exists(place / "individuals.csv.gz"));
         writer.finish();
     }
-    BOOST_TEST(is_complete(place, spec, seed, fake_identity()));
-    for (const std::string &file : result_files) BOOST_TEST(std::filesystem::exists(place / file), file);
-    BOOST_TEST(!std::filesystem::exists(place / "archive.csv"));
+    BOOST_TEST(complete_generations(place) == 3);
+    std::vector<std::string> files;
+    for (const auto &[file, bytes] : contents(place)) files.push_back(file);
+    std::vector<std::string> expected = result_files;
+    std::sort(expected.begin(), expected.end());
+    BOOST_TEST(files == expected, boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(an_interrupted_run_leaves_neither_tables_nor_temporaries) {
+BOOST_AUTO_TEST_CASE(a_run_that_ends_before_its_first_checkpoint_leaves_its_name_and_nothing_else) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
     {
-        RunWriter writer(folder / "run", spec, seed, fake_identity());
-        Population population = fake_population(spec, seed);
-        FakeSearch search;
-        observe_fake(writer, spec, population, search, 0, life);
+        RunWriter writer(folder / "run", spec, seed, fake_sources());
+        FakeRun(spec, seed).step(writer, life);
     }
-    BOOST_TEST(!is_complete(folder / "run", spec, seed, fake_identity()));
-    for (const auto &entry : std::filesystem::directory_iterator(folder / "run"))
-        BOOST_TEST(entry.path().extension() == ".lua", entry.path());
+    BOOST_TEST(complete_generations(folder / "run") == 0);
+    for (const auto &[file, bytes] : contents(folder / "run"))
+        BOOST_TEST((file == "identity.csv" || file.starts_with("script/")), file);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_starts_again_is_incomplete_from_its_first_moment) {
+BOOST_AUTO_TEST_CASE(a_complete_run_has_nothing_to_do_and_is_left_alone) {
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4), seed, life);
+    const auto before = contents(place);
+    for (const int generations : {1, 2, 3}) {
+        const RunWriter writer(place, fake_spec("osc", generations, 4), seed, fake_sources());
+        BOOST_TEST(writer.is_complete());
+        BOOST_TEST((contents(place) == before));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_another_process_completes_meanwhile_has_nothing_to_do) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
-    const auto place = write_fake_run(folder.path(), spec, seed, life);
-    RunWriter writer(place, spec, seed, fake_identity());
-    BOOST_TEST(!is_complete(place, spec, seed, fake_identity()));
-    BOOST_TEST(!std::filesystem::exists(place / "generations.csv"));
+    // Both have seen that nothing is done; one gets the folder first.
+    check_same_run(folder / "run", {identity_of(spec, seed), spec.record});
+    write_fake_run_into(folder / "run", spec, seed, life);
+    BOOST_TEST(RunWriter(folder / "run", spec, seed, fake_sources()).is_complete());
 }
 
-BOOST_AUTO_TEST_CASE(a_run_is_another_with_another_seed_script_or_name) {
-    const TemporaryFolder folder;
-    const Spec spec = fake_spec("osc", 3, 4);
-    const auto place = write_fake_run(folder.path(), spec, seed, life);
-    BOOST_TEST(is_complete(place, spec, seed, fake_identity()));
-    BOOST_TEST(!is_complete(place, spec, seed + 1, fake_identity()));
-    BOOST_TEST(!is_complete(place, spec, seed, fake_identity("resolved otherwise")));
-    BOOST_TEST(!is_complete(place, fake_spec("grn", 3, 4), seed, fake_identity()));
-}
-
-BOOST_AUTO_TEST_CASE(a_damaged_manifest_counts_as_none) {
+BOOST_AUTO_TEST_CASE(a_damaged_manifest_is_refused_and_nothing_is_changed) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
     const auto place = write_fake_run(folder.path(), spec, seed, life);
     const std::string whole = read_bytes(place / "manifest.csv");
-    const std::size_t last_row = whole.rfind("status");
-    for (std::size_t size = 0; size < whole.size(); size += 7) {
-        write_bytes(place / "manifest.csv", whole.substr(0, std::min(size, last_row)));
-        BOOST_TEST(!is_complete(place, spec, seed, fake_identity()));
+    const auto refused = [&](const std::string &bytes, int generations) {
+        write_bytes(place / "manifest.csv", bytes);
+        const auto before = contents(place);
+        const std::string said = message_of<InputError>(
+            [&] { RunWriter(place, fake_spec("osc", generations, 4), seed, fake_sources()); });
+        BOOST_TEST(contains(said, (place / "manifest.csv").string() + ":"), said);
+        BOOST_TEST((contents(place) == before));
+    };
+    for (std::size_t size = 0; size < whole.size(); size += 41) refused(whole.substr(0, size), 3);
+    refused(replaced(whole, "\ngenerations,3", "\ngenerations,2"), 3);
+    refused(replaced(whole, "\ngenerations,3", "\ngenerations,2"), 7);
+}
+
+BOOST_AUTO_TEST_CASE(a_complete_run_that_lacks_a_file_is_refused_and_nothing_is_changed) {
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4, "novelty"), seed, life);
+    for (const auto &[file, bytes] : contents(place)) {
+        if (file == "manifest.csv" || file == "identity.csv") continue;
+        std::filesystem::remove(place / file);
+        const auto before = contents(place);
+        for (const int generations : {3, 7}) {
+            const std::string said = message_of<InputError>(
+                [&] { RunWriter(place, fake_spec("osc", generations, 4, "novelty"), seed, fake_sources()); });
+            BOOST_TEST(contains(said, place.string() + " lacks " + file + ", which its manifest names"),
+                       said);
+        }
+        BOOST_TEST((contents(place) == before), file);
+        write_bytes(place / file, bytes);
     }
 }
 
 BOOST_AUTO_TEST_CASE(the_same_run_is_written_with_the_same_bytes) {
     const TemporaryFolder one, two;
-    const Spec spec = fake_spec("osc", 3, 4);
-    const auto a = write_fake_run(one.path(), spec, seed, life, 0.5);
-    const auto b = write_fake_run(two.path(), spec, seed, life, 0.5);
-    for (const auto &entry : std::filesystem::directory_iterator(a))
-        BOOST_TEST((read_bytes(entry.path()) == read_bytes(b / entry.path().filename())), entry.path());
+    const Spec spec = fake_spec("osc", 3, 4, "novelty");
+    BOOST_TEST((contents(write_fake_run(one.path(), spec, seed, life)) ==
+                contents(write_fake_run(two.path(), spec, seed, life))));
 }
 
-BOOST_AUTO_TEST_CASE(the_results_hash_is_of_the_tables_alone) {
-    const TemporaryFolder one, two;
-    const Spec spec = fake_spec("osc", 3, 4);
-    const Manifest a(write_fake_run(one.path(), spec, seed, life)),
-        b(write_fake_run(two.path(), spec, seed + 1, life));
-    Manifest renamed;
-    for (const ManifestRow &row : a.rows())
-        renamed.add(row.key, contains(row.key, ".lua") ? "other" : row.value);
-    BOOST_TEST(results_sha256(renamed) == a.text("results_sha256"));
-    // Another seed has other weights in its best genome.
-    BOOST_TEST(b.text("results_sha256") != a.text("results_sha256"));
+BOOST_AUTO_TEST_CASE(the_manifest_has_the_hash_of_every_file_and_the_last_link) {
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4, "novelty"), seed, life);
+    const Manifest manifest(place);
+    manifest.check_seal();
+    std::size_t files = 0;
+    for (const ManifestRow &row : manifest.rows())
+        if (is_file(row.key)) {
+            ++files;
+            BOOST_TEST(row.value == content_sha256(place / row.key), row.key);
+        }
+    BOOST_TEST(files == contents(place).size() - 1);
+    BOOST_TEST(manifest.text("link") == read_chain(place).back().link);
+    BOOST_TEST(manifest.text("record") == "full");
+    BOOST_TEST(manifest.number("seed") == 5);
+    BOOST_TEST(manifest.number("evaluations") == 12);
+}
+
+BOOST_AUTO_TEST_CASE(states_stay_of_generations_25_50_and_every_100_and_of_the_last) {
+    for (const int generation : {25, 50, 100, 200, 1900})
+        BOOST_TEST(is_kept_generation(generation), generation);
+    for (const int generation : {0, 1, 24, 26, 75, 99, 125, 150, 1950})
+        BOOST_TEST(!is_kept_generation(generation), generation);
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("osc", 104, 2), seed, life);
+    BOOST_TEST((kept_generations(place) == std::vector{25, 50, 100, 103}));
+    const RecordedRun run = read_run(place);
+    for (const int generation : kept_generations(place)) {
+        const RunState state = read_run_state(run, fake_spec("osc", 104, 2), generation);
+        BOOST_TEST(state.population.generation == generation);
+        BOOST_TEST(state.population.genomes.front().id == 2 * generation);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_second_process_does_not_get_the_folder) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
-    RunWriter writer(folder.path(), spec, seed, fake_identity());
-    BOOST_CHECK_THROW(RunWriter(folder.path(), spec, seed, fake_identity()), CreateError);
+    RunWriter writer(folder.path(), spec, seed, fake_sources());
+    BOOST_CHECK_THROW(RunWriter(folder.path(), spec, seed, fake_sources()), CreateError);
 }
 
 BOOST_AUTO_TEST_CASE(generations_are_counted_as_they_were) {
@@ -127,6 +197,8 @@ BOOST_AUTO_TEST_CASE(generations_are_counted_as_they_were) {
     BOOST_TEST(rows[2].generation == 2);
     BOOST_TEST(rows[2].best_fitness == 8);
     BOOST_TEST(rows[2].best_slot == 0);
+    BOOST_TEST(rows[2].best_x == 3);
+    BOOST_TEST(rows[2].best_y == 4);
     BOOST_TEST(rows[2].mean_fitness == (8 + 0 + 6 + 5) / 4.0);
     BOOST_TEST(rows[2].valid == 3);
     BOOST_TEST(rows[2].viable == 3);
@@ -173,15 +245,6 @@ BOOST_AUTO_TEST_CASE(a_champion_is_recorded_each_time_the_best_fitness_rises) {
     BOOST_TEST(rows[1].late_actuation == 0.375);
 }
 
-BOOST_AUTO_TEST_CASE(the_best_genome_is_the_last_champions) {
-    const TemporaryFolder folder;
-    const Spec spec = fake_spec("osc", 3, 4);
-    const auto place = write_fake_run(folder.path(), spec, seed, life);
-    Genome expected = fake_population(spec, seed).genomes[0];
-    expected.id = 8;
-    BOOST_TEST((genome_of(read_table<GenomeRow>(place)) == expected));
-}
-
 BOOST_AUTO_TEST_CASE(every_champion_has_its_genome_in_the_record) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
@@ -191,7 +254,9 @@ BOOST_AUTO_TEST_CASE(every_champion_has_its_genome_in_the_record) {
     BOOST_TEST(champions[0].number == 0);
     BOOST_TEST(champions[0].genome.id == 0);
     BOOST_TEST(champions[1].number == 2);
-    BOOST_TEST((champions[1].genome == genome_of(read_table<GenomeRow>(place))));
+    Genome expected = fake_population(spec, seed).genomes[0];
+    expected.id = 8;
+    BOOST_TEST((champions[1].genome == expected));
 }
 
 BOOST_AUTO_TEST_CASE(the_last_generation_has_its_genomes_in_the_record) {
@@ -200,29 +265,22 @@ BOOST_AUTO_TEST_CASE(the_last_generation_has_its_genomes_in_the_record) {
     const auto place = write_fake_run(folder.path(), spec, seed, life);
     std::vector<Genome> last = fake_population(spec, seed).genomes;
     for (std::size_t slot = 0; slot < last.size(); ++slot) last[slot].id = 2 * 4 + static_cast<int>(slot);
-    BOOST_TEST((read_last_population(read_run(place)) == last));
-
-    // Without its second slot it is no population.
-    std::vector<PopulationRow> rows = read_table<PopulationRow>(place);
-    std::erase_if(rows, [](const PopulationRow &row) { return row.slot == 1; });
-    write_table<PopulationRow>(place, rows);
-    BOOST_TEST(contains(message_of<InputError>([&] { read_last_population(read_run(place)); }),
-                        "population.csv.gz: slot 1 is missing"));
+    BOOST_TEST((read_run_state(read_run(place), spec, 2).population.genomes == last));
 }
 
 BOOST_AUTO_TEST_CASE(every_species_has_a_row_in_every_generation) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 1, 4);
     {
-        RunWriter writer(folder / "run", spec, seed, fake_identity());
-        Population population = fake_population(spec, seed);
+        RunWriter writer(folder / "run", spec, seed, fake_sources());
+        FakeRun run(spec, seed);
+        Population &population = run.population();
         Species young{.id = 9, .representative = population.genomes[1], .age = 3, .stagnation = 2};
         young.members = {1, 2, 3};
         young.best_ever = 2.5, young.best = true;
         population.species[0].members = {0};
         population.species.push_back(young);
-        FakeSearch search;
-        observe_fake(writer, spec, population, search, 0, life);
+        run.step(writer, life);
         writer.finish();
     }
     const auto rows = read_table<SpeciesRow>(folder / "run");
@@ -247,7 +305,7 @@ BOOST_AUTO_TEST_CASE(every_species_has_a_row_in_every_generation) {
 BOOST_AUTO_TEST_CASE(diversity_of_shapes_is_that_of_the_viable) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 1, 3);
-    RunWriter writer(folder / "run", spec, seed, fake_identity());
+    RunWriter writer(folder / "run", spec, seed, fake_sources());
     const Population population = fake_population(spec, seed);
     std::vector<Life> lives(3);
     const std::vector<Vec2d> line{{0, 0}, {1, 0}, {2, 0}}, corner{{0, 0}, {1, 0}, {0, 1}, {1, 1}};
@@ -266,38 +324,83 @@ BOOST_AUTO_TEST_CASE(diversity_of_shapes_is_that_of_the_viable) {
 
 BOOST_AUTO_TEST_CASE(an_archive_is_written_for_searches_that_have_one) {
     const TemporaryFolder folder;
-    const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4), seed, life, 0.5);
+    const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4, "novelty"), seed, life);
     const auto archive = read_archive(place);
     BOOST_REQUIRE(archive.size() == 3u);
     BOOST_TEST(archive[2].generation == 2);
     BOOST_TEST(archive[2].novelty == 3.5);
-    BOOST_TEST(Manifest(place).has("archive.csv"));
+    BOOST_TEST(archive[2].fitness == 8);
+    BOOST_TEST(Manifest(place).has("archive.csv.gz"));
+    BOOST_TEST(
+        !Manifest(write_fake_run(folder.path(), fake_spec("neat", 3, 4), seed, life)).has("archive.csv.gz"));
+}
+
+BOOST_AUTO_TEST_CASE(an_archive_that_stays_empty_is_a_table_without_rows) {
+    const TemporaryFolder folder;
+    {
+        const Spec spec = fake_spec("osc", 1, 2, "novelty");
+        RunWriter writer(folder / "run", spec, seed, fake_sources());
+        FakeRun run(fake_spec("osc", 1, 2), seed);
+        run.observe(life, [&](const Generation &generation) { writer.observe(generation); });
+        writer.finish();
+    }
+    BOOST_TEST(read_file(folder / "run/archive.csv.gz") == archive_header());
+    BOOST_TEST(read_archive(folder / "run").empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_run_recorded_as_a_sample_differs_in_the_rows_of_individuals_alone) {
+    // 60 generations of 40 are 2400 individuals, of whom some thousand are recorded at the end.
+    const TemporaryFolder folder;
+    Spec spec = fake_spec("osc", 60, 40, "novelty");
+    const auto full = write_fake_run(folder / "full", spec, seed, life);
+    spec.record = Recording::sample;
+    const auto sample = write_fake_run(folder / "sample", spec, seed, life);
+    for (const std::string_view file : run_tables)
+        if (file != IndividualRow::file_name)
+            BOOST_TEST((read_bytes(full / file) == read_bytes(sample / file)), file);
+    std::vector<std::string> expected, found;
+    for (const IndividualRow &row : read_table<IndividualRow>(full))
+        if (is_recorded(seed, 40, row.generation, row.slot)) expected.push_back(line_of(row));
+    for (const IndividualRow &row : read_table<IndividualRow>(sample)) found.push_back(line_of(row));
+    BOOST_TEST((found == expected));
+    BOOST_TEST(found.size() < 2200u);
+    BOOST_TEST(open_run(sample).manifest.text("record") == "sample");
+    BOOST_TEST((open_run(sample).record == Recording::sample));
 }
 
 BOOST_AUTO_TEST_CASE(a_life_with_a_number_that_is_not_finite_is_a_broken_promise) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
-    RunWriter writer(folder.path(), spec, seed, fake_identity());
-    Population population = fake_population(spec, seed);
-    FakeSearch search;
-    BOOST_CHECK_THROW(observe_fake(writer, spec, population, search, 0,
-                                   [](int, int) { return FakeLife{.elongation = std::nan("")}; }),
+    RunWriter writer(folder.path(), spec, seed, fake_sources());
+    FakeRun run(spec, seed);
+    BOOST_CHECK_THROW(run.step(writer, [](int, int) { return FakeLife{.elongation = std::nan("")}; }),
                       InternalError);
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_ends_the_run_without_a_manifest) {
+    for (const char *file : {"individuals.csv.gz", "chain.csv", "manifest.csv", "states/000002.state"}) {
+        const TemporaryFolder folder;
+        const Spec spec = fake_spec("osc", 3, 4);
+        const std::string said = message_of<IoError>([&] {
+            RunWriter writer(folder / "run", spec, seed, fake_sources());
+            fill_disk_of(folder / ("run/" + std::string(file) + ".tmp"));
+            FakeRun run(spec, seed);
+            for (int g = 0; g < 3; ++g) run.step(writer, life);
+            writer.finish();
+        });
+        BOOST_TEST(said == "cannot write " + (folder / "run" / std::filesystem::path(file)).string() +
+                               ": No space left on device");
+        BOOST_TEST(complete_generations(folder / "run") == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_full_disk_at_the_beginning_leaves_no_run) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
-    make_folder(folder / "run");
-    std::filesystem::create_symlink("/dev/full", folder / "run/individuals.csv.gz.tmp");
-    const std::string said = message_of<IoError>([&] {
-        RunWriter writer(folder / "run", spec, seed, fake_identity());
-        Population population = fake_population(spec, seed);
-        FakeSearch search;
-        for (int g = 0; g < 3; ++g) observe_fake(writer, spec, population, search, g, life);
-        writer.finish();
-    });
-    BOOST_TEST(said ==
-               "cannot write " + (folder / "run/individuals.csv.gz").string() + ": No space left on device");
-    BOOST_TEST(!is_complete(folder / "run", spec, seed, fake_identity()));
+    const auto temporary = folder / "run/identity.csv.tmp";
+    fill_disk_of(temporary);
+    BOOST_CHECK_THROW(RunWriter(folder / "run", spec, seed, fake_sources()), IoError);
+    BOOST_TEST(!recorded_run(folder / "run"));
+    std::filesystem::remove(temporary);
+    BOOST_TEST(!RunWriter(folder / "run", spec, seed, fake_sources()).is_complete());
 }

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A recorded run simulated again from the nearest kept state, so that every individual that was ever evaluated can be
+// had again, and what is recorded can be compared with what the model gives.
+#pragma once
+
+#include "experiment/run.h"
+#include "record/run_reader.h"
+
+#include <vector>
+
+namespace planula {
+
+/// Simulates the run from the newest kept state that is not after generation `first`, or from its beginning, and calls
+/// observe(generation) for generations first … last, which the run must have, and between(state) for the state after
+/// each. The setting's functions must be fresh. Throws InputError for a damaged state, and Stopped.
+void replay(
+    const RecordedRun &run, const Spec &setting, int first, int last, const Workers &workers,
+    const Observer &observe, const StopRequest &stop, const Between &between = [](const RunState &) {});
+
+/// One individual of a run.
+struct Individual {
+    Genome genome;
+    Life life;
+    Evaluation evaluation;
+    double score = 0;
+};
+
+/// The individual in a slot of a generation. Throws InputError if the run has none there, and if the generation that is
+/// simulated is not the recorded one.
+Individual replay_individual(const RecordedRun &run, const Spec &setting, int generation, int slot,
+                             const Workers &workers, const StopRequest &stop);
+
+} // namespace planula

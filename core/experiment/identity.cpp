@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/identity.h"
+
+#include "base/hash.h"
+#include "base/text.h"
+#include "experiment/deciding.h"
+#include "experiment/revision.h"
+
+#include <algorithm>
+
+namespace planula {
+
+namespace {
+
+const std::string parameter_key = "parameter ", function_key = "function ";
+constexpr std::size_t shown_digits = 12; // of a hash in a message
+
+bool is_hash(std::string_view key) { return key == "model" || key.starts_with(function_key); }
+
+/// The standard value that a parameter's key has now, as text; empty if there is no such parameter.
+std::string standard_of(std::string_view key) {
+    if (!key.starts_with(parameter_key)) return "";
+    for (const ParameterRow &row : parameter_rows())
+        if (row.name == key.substr(parameter_key.size())) return to_text(row.standard);
+    return "";
+}
+
+std::string ground_text(const Environment &environment) {
+    if (!environment.has_ground) return "none";
+    if (environment.ground.empty()) return "flat";
+    Hash points;
+    for (const Vec2d point : environment.ground) points.number(point.x).number(point.y);
+    return to_text(static_cast<std::int64_t>(environment.ground.size())) + " points " + points.hex();
+}
+
+void add_environment(const Spec &spec, Identity &identity) {
+    const Environment &e = spec.environment;
+    const auto add = [&](const std::string &name, double value) {
+        identity.items.push_back({"environment " + name, to_text(value), "", ""});
+    };
+    add("gravity", e.gravity);
+    identity.items.push_back({"environment ground", ground_text(e), "", ""});
+    add("friction", e.friction);
+    add("drag normal", e.drag_normal);
+    add("drag tangential", e.drag_tangential);
+    add("flow x", e.flow.x);
+    add("flow y", e.flow.y);
+    add("actuation_range", spec.actuation_range);
+}
+
+std::string shown(std::string_view key, const std::string &value) {
+    return is_hash(key) ? value.substr(0, shown_digits) : value;
+}
+
+std::string difference(const IdentityItem &recorded, const IdentityItem &asked) {
+    if (recorded.key.starts_with(function_key))
+        return recorded.key + ": recorded with that of " + recorded.place + ", asked for with that of " +
+               asked.place + ", which means something else";
+    return recorded.key + ": recorded with " + shown(recorded.key, recorded.value) + ", asked for with " +
+           shown(asked.key, asked.value);
+}
+
+} // namespace
+
+const std::string *Identity::find(std::string_view key) const {
+    for (const IdentityItem &item : items)
+        if (item.key == key) return &item.value;
+    return nullptr;
+}
+
+IdentityItem Identity::item(const std::string &key) const {
+    for (const IdentityItem &item : items)
+        if (item.key == key) return item;
+    const std::string standard = standard_of(key);
+    return {key, standard.empty() ? "nothing" : standard, "nowhere"};
+}
+
+std::string Identity::sha256() const {
+    Hash hash;
+    for (const IdentityItem &item : items)
+        if (item.value != item.standard) hash.text(item.key).text(item.value);
+    return hash.hex();
+}
+
+Identity identity_of(const Spec &spec, std::uint64_t seed) {
+    Identity identity;
+    const auto add = [&](const std::string &key, const std::string &value, const std::string &place = "") {
+        identity.items.push_back({key, value, place, ""});
+    };
+    add("model", std::string(model_revision()));
+    add("seed", to_text(static_cast<std::int64_t>(seed)));
+    add("actuation", name_of(spec.actuation));
+    add("search", spec.search);
+    add("engine", spec.engine);
+    add("start", spec.start ? to_text(spec.start->generations) + " generations" : "none");
+    add_environment(spec, identity);
+    for (const FunctionMeaning &function : spec.judgement)
+        add(function_key + function.name, function.sha256, function.place);
+    for (const ParameterRow &row : parameter_rows())
+        if (decides_lives(row))
+            identity.items.push_back({parameter_key + std::string(row.name),
+                                      to_text(parameter(spec.parameters, row.name)), "",
+                                      to_text(row.standard)});
+    return identity;
+}
+
+std::vector<std::string> differences(const Identity &recorded, const Identity &asked) {
+    std::vector<std::string> found;
+    const auto compare = [&](const IdentityItem &a, const IdentityItem &b) {
+        if (a.value != b.value) found.push_back(difference(a, b));
+    };
+    for (const IdentityItem &item : recorded.items) compare(item, asked.item(item.key));
+    for (const IdentityItem &item : asked.items)
+        if (!recorded.find(item.key)) compare(recorded.item(item.key), item);
+    return found;
+}
+
+} // namespace planula

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "record/run_rows.h"
+
+#include "statistics/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace planula {
+
+namespace {
+
+constexpr int fitness_classes = 100;
+
+/// The part of the displacement that the last quarter of locomotion made.
+double late_share(const Life &life, const Parameters &parameters) {
+    const double displacement = life.displacement();
+    const std::size_t sample =
+        static_cast<std::size_t>(parameters.locomotion_steps) * 3 / 4 / parameters.path_interval;
+    if (displacement == 0 || sample >= life.path.size()) return 0;
+    return length(life.end - life.path[sample]) / displacement;
+}
+
+/// Adds one life to the counts of its generation.
+void count(const Life &life, int birth_limit, GenerationRow &row) {
+    switch (life.outcome) {
+    case Outcome::viable:
+        ++row.viable;
+        break;
+    case Outcome::died_out:
+        ++row.died_out;
+        break;
+    case Outcome::too_small:
+        ++row.too_small;
+        break;
+    case Outcome::overgrown:
+        ++row.overgrown;
+        break;
+    case Outcome::never_settled:
+        ++row.never_settled;
+        break;
+    case Outcome::exploded:
+        ++row.exploded;
+        break;
+    }
+    row.overborn += life.births >= birth_limit;
+}
+
+/// Mean and quartiles of the fitness.
+void add_fitness(const Generation &g, GenerationRow &row) {
+    std::vector<double> valid;
+    for (const Evaluation &evaluation : g.evaluations) {
+        row.mean_fitness += evaluation.fitness;
+        if (evaluation.valid()) valid.push_back(evaluation.fitness);
+    }
+    row.valid = static_cast<int>(valid.size());
+    if (valid.empty()) return;
+    row.fitness_low = quantile(valid, 0.25);
+    row.fitness_median = quantile(valid, 0.5);
+    row.fitness_high = quantile(valid, 0.75);
+}
+
+/// Where the individuals went.
+void add_headings(const Generation &g, GenerationRow &row) {
+    for (const Life &life : g.lives) {
+        const double distance = life.displacement();
+        if (distance == 0) continue;
+        const Vec2d heading = (life.end - life.rest) / distance;
+        ++row.moved;
+        row.heading_x += heading.x;
+        row.heading_y += heading.y;
+    }
+}
+
+} // namespace
+
+GenerationRow generation_row(const Generation &g, int birth_limit) {
+    GenerationRow row;
+    row.generation = g.number;
+    row.best_slot = g.best;
+    row.best_fitness = g.evaluations[g.best].fitness;
+    row.species = static_cast<int>(g.population.species.size());
+    row.threshold = g.population.threshold;
+    row.archive = static_cast<int>(g.search.archive().size());
+    row.archive_threshold = g.search.archive_threshold();
+
+    const Vec2d best = g.lives[g.best].end - g.lives[g.best].rest;
+    row.best_x = best.x, row.best_y = best.y;
+    add_fitness(g, row);
+    add_headings(g, row);
+
+    // Means are sums in slot order over the population's size.
+    for (const Genome &genome : g.population.genomes) {
+        row.mean_links += static_cast<double>(genome.links.size());
+        row.mean_hidden += genome.hidden();
+    }
+    for (double *mean : {&row.mean_fitness, &row.mean_links, &row.mean_hidden})
+        *mean /= static_cast<double>(g.lives.size());
+    std::vector<ShapeDistribution> shapes;
+    for (const Life &life : g.lives) {
+        count(life, birth_limit, row);
+        if (life.outcome == Outcome::viable) shapes.push_back(life.shape);
+    }
+    row.shape_diversity = shape_diversity(shapes);
+    return row;
+}
+
+std::vector<SizeRow> size_rows(const Generation &g) {
+    std::map<int, int> sizes;
+    for (std::size_t slot = 0; slot < g.lives.size(); ++slot)
+        if (g.evaluations[slot].fitness > 0) ++sizes[g.lives[slot].cells];
+    std::vector<SizeRow> rows;
+    for (const auto &[cells, individuals] : sizes) rows.push_back({g.number, cells, individuals});
+    return rows;
+}
+
+std::vector<FitnessClassRow> fitness_class_rows(const Generation &g) {
+    const double best = g.evaluations[g.best].fitness;
+    std::map<int, int> classes;
+    for (const Evaluation &evaluation : g.evaluations) {
+        // In this order 29 of 100 are 29 %.
+        const double percent = best > 0 ? std::floor(evaluation.fitness * fitness_classes / best) : 0;
+        ++classes[static_cast<int>(std::min(percent, fitness_classes - 1.0))];
+    }
+    std::vector<FitnessClassRow> rows;
+    for (const auto &[percent, individuals] : classes) rows.push_back({g.number, percent, individuals});
+    return rows;
+}
+
+std::vector<int> species_of_slots(const Population &population) {
+    std::vector<int> species(population.genomes.size(), -1);
+    for (const Species &group : population.species)
+        for (const int slot : group.members) species.at(slot) = group.id;
+    return species;
+}
+
+ChampionRow champion_row(const Generation &g, const Parameters &parameters) {
+    const Life &life = g.lives[g.best];
+    const Genome &genome = g.population.genomes[g.best];
+    const Vec2d moved = life.end - life.rest;
+    return {.generation = g.number,
+            .slot = g.best,
+            .genome = genome.id,
+            .fitness = g.evaluations[g.best].fitness,
+            .cells = life.cells,
+            .displacement = life.displacement(),
+            .late_share = late_share(life, parameters),
+            .late_actuation = life.late_actuation,
+            .elongation = life.elongation,
+            .x = moved.x,
+            .y = moved.y,
+            .springs = life.links,
+            .triangles = life.triangles,
+            .links = static_cast<int>(genome.links.size()),
+            .hidden = genome.hidden(),
+            .settle_steps = life.settle_steps};
+}
+
+IndividualRow individual_row(const Generation &g, int slot, int species) {
+    const Life &life = g.lives[slot];
+    const Genome &genome = g.population.genomes[slot];
+    const Evaluation &evaluation = g.evaluations[slot];
+    return {.generation = g.number,
+            .slot = slot,
+            .genome = genome.id,
+            .mother = genome.mother,
+            .father = genome.father,
+            .origin = name_of(genome.origin),
+            .species = species,
+            .fitness = evaluation.fitness,
+            .score = g.scores[slot],
+            .penalty = evaluation.penalty,
+            .outcome = name_of(life.outcome),
+            .cells = life.cells,
+            .births = life.births,
+            .end_x = life.end.x,
+            .end_y = life.end.y,
+            .rest_x = life.rest.x,
+            .rest_y = life.rest.y,
+            .activity = life.activity,
+            .elongation = life.elongation,
+            .links = static_cast<int>(genome.links.size()),
+            .hidden = genome.hidden()};
+}
+
+SpeciesRow species_row(const Generation &g, const Species &species) {
+    SpeciesRow row{.generation = g.number,
+                   .species = species.id,
+                   .size = static_cast<int>(species.members.size()),
+                   .age = species.age,
+                   .stagnation = species.stagnation,
+                   .mark = species.best ? 1 : 0,
+                   .best_ever = species.best_ever,
+                   .representative = species.representative.id};
+    for (const int slot : species.members) {
+        row.best_score = std::max(row.best_score, g.scores[slot]);
+        row.mean_score += g.scores[slot];
+    }
+    row.mean_score /= static_cast<double>(row.size);
+    return row;
+}
+
+} // namespace planula

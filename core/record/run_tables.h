@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The tables of a run: what each generation adds to them, and the journals (record/journal.h) in which they grow. They
+// stand here once, in the order in which the chain (record/chain.h) and the manifest have them. Every row has the number
+// of its generation in its first column.
+//
+// A run recorded as a sample (experiment/sample.h) has fewer rows in individuals.csv.gz and differs in nothing else.
+#pragma once
+
+#include "experiment/run.h"
+#include "record/archive_table.h"
+#include "record/journal.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace planula {
+
+/// Every table that a generation adds rows to; only searches with an archive have the last.
+inline constexpr std::array run_tables{
+    GenerationRow::file_name, SizeRow::file_name,     FitnessClassRow::file_name,   IndividualRow::file_name,
+    SpeciesRow::file_name,    ChampionRow::file_name, ChampionGenomeRow::file_name, ArchiveRow::file_name};
+
+/// What a generation adds to each table, as lines in the order of run_tables.
+using RowTexts = std::array<std::string, run_tables.size()>;
+
+/// `crowned`: the generation's best is fitter than all before it in the run.
+RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t seed, bool crowned);
+
+class RunTables {
+  public:
+    using StartOf = std::function<JournalStart(std::string_view file)>;
+    /// Opens the journal of every table and of the chain; `start_of(file)` says where each begins.
+    RunTables(const std::filesystem::path &folder, bool with_archive, const StartOf &start_of);
+
+    void write(const RowTexts &rows);
+    void write_link(std::string_view line);
+    /// How far each journal is on disk now, by file.
+    std::vector<std::pair<std::string, JournalMark>> marks();
+    /// Puts every table under its name; the SHA-256 of each, by file.
+    std::vector<std::pair<std::string, std::string>> publish();
+
+  private:
+    struct Table {
+        std::string file;
+        std::unique_ptr<Journal> journal;
+    };
+    Table &chain() { return tables_.back(); }
+
+    std::vector<Table> tables_; // as in run_tables, and the chain
+};
+
+} // namespace planula

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "experiment/sample.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace planula;
+
+namespace {
+
+constexpr std::uint64_t seed = 4;
+
+/// Whether the sample of a run of so many generations has the individual.
+bool is_in_sample(int population, int generations, int generation, int slot) {
+    return lot(seed, generation, slot) <
+           sample_share(recorded_share, recorded_least, population, generations);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_sample_of_a_short_run_is_everybody_and_of_a_long_one_the_least_share) {
+    BOOST_TEST(sample_share(0.01, 1000, 10, 100) == 1);
+    BOOST_TEST(sample_share(0.01, 1000, 10, 99) == 1);
+    BOOST_TEST(sample_share(0.01, 1000, 10, 200) == 0.5);
+    BOOST_TEST(sample_share(0.01, 1000, 50, 2000) == 0.01);
+    BOOST_TEST(sample_share(0.01, 1000, 300, 2000) == 0.01);
+    BOOST_TEST(sample_share(0.01, 0, 10, 1) == 0.01);
+    BOOST_TEST(sample_share(0.01, 1000, 2'000'000, 2'000) == 0.01);
+    BOOST_TEST(sample_share(2, 0, 10, 10) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(whoever_is_in_the_sample_of_a_longer_run_was_recorded) {
+    for (const int population : {5, 60, 300})
+        for (const int generations : {1, 2, 30, 100})
+            for (int generation = 0; generation < generations; ++generation)
+                for (int slot = 0; slot < population; ++slot)
+                    BOOST_TEST_REQUIRE((!is_in_sample(population, generations, generation, slot) ||
+                                        is_recorded(seed, population, generation, slot)));
+}
+
+BOOST_AUTO_TEST_CASE(everybody_is_recorded_until_a_thousand_have_lived_and_fewer_after) {
+    constexpr int population = 50;
+    int early = 0, late = 0;
+    for (int generation = 0; generation < 20; ++generation)
+        for (int slot = 0; slot < population; ++slot)
+            early += is_recorded(seed, population, generation, slot);
+    BOOST_TEST(early == 1000);
+    // From generation 2000 on it is one in a hundred: 500 of 50,000, with a standard deviation of 22.
+    for (int generation = 2000; generation < 3000; ++generation)
+        for (int slot = 0; slot < population; ++slot) late += is_recorded(seed, population, generation, slot);
+    BOOST_TEST(late > 400);
+    BOOST_TEST(late < 600);
+}
+
+BOOST_AUTO_TEST_CASE(lots_differ_between_seeds_generations_and_slots) {
+    BOOST_TEST(lot(1, 2, 3) == lot(1, 2, 3));
+    BOOST_TEST(lot(2, 2, 3) != lot(1, 2, 3));
+    BOOST_TEST(lot(1, 3, 3) != lot(1, 2, 3));
+    BOOST_TEST(lot(1, 2, 4) != lot(1, 2, 3));
+    double sum = 0;
+    for (int slot = 0; slot < 10'000; ++slot) {
+        const double drawn = lot(seed, 0, slot);
+        BOOST_TEST_REQUIRE((drawn >= 0 && drawn < 1));
+        sum += drawn;
+    }
+    BOOST_TEST(std::abs(sum / 10'000 - 0.5) < 0.02);
+}
