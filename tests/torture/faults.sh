@@ -1,59 +1,96 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Lets every single call of the system that a run makes for its files fail once: with a full disk, with a broken one. A run
-# that says it is done must have the right results, any other must name a file, and the same command must go on afterwards to
-# the right results. Every second case starts from a run that was killed in the middle. Needs strace.
+# Lets every single call of the system that a command makes for its files fail once: with a full disk, with a broken one, with
+# too many open files, without leave. A command that says it is done must have the right results, any other must name a file,
+# and the same command must then come to the right results without beginning anew what was complete or kept. The commands: a
+# run from its beginning and after a kill, a complete run that becomes longer, a merge into nothing and over a shorter run, and
+# reduce. Needs strace.
 #
-#   faults.sh PROGRAM
+#   faults.sh PROGRAM [EVERY]      every EVERYth call; 1: all of them
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 command -v strace > /dev/null || { echo 'faults: skipped, strace is not installed'; exit 0; }
-program=$(realpath "$1")
+program=$(realpath "$1") every=${2:-1}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-run=("$program" run experiments/paper/replication.lua --only osc-aq-ns --seeds 1 --population 6 --generations 6 --checkpoint 1
-     --set development_steps=200 --set locomotion_steps=100)
+script=experiments/paper/replication.lua
+design=(--only osc-aq-ns --population 6 --set development_steps=200 --set locomotion_steps=100 --threads 1)
+run=("$program" run $script "${design[@]}" --checkpoint 1)
+out=$folder/out
 
-"${run[@]}" --out "$folder/whole" 2> /dev/null
+"${run[@]}" --seeds 1 --generations 4 --out "$folder/whole" 2> /dev/null
+"${run[@]}" --seeds 1 --generations 2 --out "$folder/shorter" 2> /dev/null
+"${run[@]}" --seeds 1:2 --generations 4 --out "$folder/two" 2> /dev/null
+reduce=("$program" reduce $script --population 6 --generations 4 --set development_steps=200 --set locomotion_steps=100)
+"${reduce[@]}" --runs "$folder/two" --out "$folder/tables" > /dev/null
 # A run that was killed once its first checkpoints were there.
 until [[ -d $folder/killed ]]; do
     rm -rf "$folder/begun"
-    "${run[@]}" --out "$folder/begun" 2> /dev/null &
+    "${run[@]}" --seeds 1 --generations 4 --out "$folder/begun" 2> /dev/null &
     child=$!
     until [[ -n $(find "$folder/begun" -name checkpoint.previous 2> /dev/null) ]] || ! kill -0 "$child" 2> /dev/null; do :; done
     kill -KILL "$child" 2> /dev/null || true
     wait "$child" 2> /dev/null || mv "$folder/begun" "$folder/killed"
 done
 
-places=0 failed=0 bad=0
-complain() { # complain WHAT
-    echo "faults: $call $error $place: $1"
-    bad=$((bad + 1))
+# Each job: what is there at first, what must be there in the end, and the command.
+declare -A first=([begin]='' [resume]=killed [longer]=shorter [merge]='' [replace]=shorter [reduce]='')
+declare -A last=([begin]=whole [resume]=whole [longer]=whole [merge]=whole [replace]=whole [reduce]=tables)
+command_of() { # command_of JOB: sets `words`
+    case $1 in
+        begin | resume | longer) words=("${run[@]}" --seeds 1 --generations 4 --out "$out") ;;
+        merge | replace) words=("$program" merge "$folder/whole" --into "$out") ;;
+        reduce) words=("${reduce[@]}" --runs "$folder/two" --out "$out") ;;
+    esac
 }
 set_out() {
-    rm -rf "$folder/out"
-    if ((place % 2)); then cp -r "$folder/killed" "$folder/out"; fi
+    rm -rf "$out"
+    if [[ -n ${first[$job]} ]]; then cp -r "$folder/${first[$job]}" "$out"; fi
 }
-for kind in write:ENOSPC fsync:EIO rename:EIO ftruncate:EIO flock:ENOLCK openat:ENOSPC close:EIO unlink:EIO read:EIO; do
-    call=${kind%:*} error=${kind#*:}
-    place=1
+# What a process says of itself while it runs is no result.
+is_right() { diff -rq -x progress "$folder/${last[$job]}" "$out" > "$folder/diff" 2>&1; }
+
+places=0 failed=0 bad=0
+complain() { # complain WHAT
+    echo "faults: $job, $call $error $place: $1"
+    bad=$((bad + 1))
+}
+try() { # try JOB CALL ERROR PLACE
+    job=$1 call=$2 error=$3 place=$4
+    local code=0
+    command_of "$job"
     set_out
-    strace -f -o "$folder/calls" -e trace="$call" "${run[@]}" --out "$folder/out" 2> /dev/null
-    calls=$(grep -c "$call(" "$folder/calls" || true)
-    for ((place = 1; place <= calls; place++)); do
+    places=$((places + 1))
+    strace -f -qq -o /dev/null -e trace="$call" -e inject="$call:error=$error:when=$place" "${words[@]}" \
+        > "$folder/said" 2>&1 || code=$?
+    if ((code == 0)); then
+        is_right || complain "done, and the results are wrong: $(head -n 3 "$folder/diff")"
+    else
+        failed=$((failed + 1))
+        grep -qE '/|\.lua|\.so' "$folder/said" || complain "exit code $code, and no file is named: $(tail -n 1 "$folder/said")"
+        ((code == 65 || code == 73 || code == 74 || code == 127)) || complain "exit code $code: $(tail -n 1 "$folder/said")"
+    fi
+    "${words[@]}" > "$folder/said" 2>&1 || complain "does not end right when repeated: $(tail -n 1 "$folder/said")"
+    is_right || complain "comes to wrong results: $(head -n 3 "$folder/diff")"
+    case $job in
+        resume | longer) grep -qE 'resumes with generation|generations already' "$folder/said" || complain 'began anew' ;;
+    esac
+}
+kinds=(write:ENOSPC fsync:EIO rename:EIO renameat2:EINVAL renameat2:EIO ftruncate:EIO flock:ENOLCK close:EIO unlink:EIO
+       unlinkat:EIO read:EIO mkdir:EACCES newfstatat:EIO openat:ENOSPC openat:EMFILE openat:EIO openat:EACCES)
+number=0
+for job in begin resume longer merge replace reduce; do
+    for kind in "${kinds[@]}"; do
+        command_of "$job"
         set_out
-        places=$((places + 1)) code=0
-        strace -f -o /dev/null -e trace="$call" -e inject="$call:error=$error:when=$place" "${run[@]}" --out "$folder/out" \
-            > /dev/null 2> "$folder/said" || code=$?
-        if ((code == 0)); then
-            diff -r "$folder/whole" "$folder/out" > /dev/null || complain 'done, and the results are wrong'
-        else
-            failed=$((failed + 1))
-            grep -qE '/|\.lua|\.so' "$folder/said" || complain "exit code $code, and no file is named: $(tail -n 1 "$folder/said")"
-        fi
-        "${run[@]}" --out "$folder/out" 2> "$folder/said" || complain "does not go on: $(tail -n 1 "$folder/said")"
-        diff -r "$folder/whole" "$folder/out" > /dev/null || complain 'goes on to wrong results'
+        strace -f -qq -o "$folder/calls" -e trace="${kind%:*}" "${words[@]}" > /dev/null 2>&1
+        calls=$(grep -c "${kind%:*}(" "$folder/calls" || true)
+        for ((place = 1; place <= calls; place++)); do
+            number=$((number + 1))
+            ((number % every == 0)) || continue
+            try "$job" "${kind%:*}" "${kind#*:}" "$place"
+        done
     done
 done
-echo "faults: $places calls failed once each, $failed runs ended with an error, $bad were not as they must be"
+echo "faults: $places calls failed once each, $failed commands ended with an error, $bad were not as they must be"
 ((bad == 0))
