@@ -18,8 +18,8 @@ PORTRAIT ?= osc-aq-ns
 
 # ---- Places ----------------------------------------------------------------------------------------------------------
 PLANULA = build/planula
-# Runs of another size have a folder of their own, so that no finished run is ever replaced by a shorter one.
-RUNS = $(OUT)/runs/$(notdir $(basename $(EXPERIMENT)))-$(POPULATION)x$(GENERATIONS)
+# Runs of another population are other runs; those of another length are the same ones, which become longer.
+RUNS = $(OUT)/runs/$(notdir $(basename $(EXPERIMENT)))-$(POPULATION)
 FRAMES = $(OUT)/frames
 FIGURES = $(OUT)/figures
 DESIGN = --seeds $(SEEDS) --generations $(GENERATIONS) --population $(POPULATION)
@@ -61,7 +61,7 @@ smoke: ## the whole way from evolution to article on a tiny design, in build/smo
 	@echo 'smoke: PASS'
 
 ##@ Steps of the paper
-evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; interrupt and go on at will
+evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; interrupt at will, repeat to resume
 	@$(PLANULA) run $(EXPERIMENT) $(DESIGN) --out $(RUNS)
 
 data: program ## reduce the runs to the tables in build/data, every champion witnessed
@@ -77,26 +77,35 @@ figures: deps-paper program ## draw every figure from the tables
 picture: deps-paper program ## draw the animat of the README, paper/animat.png
 	@$(MAKE) paper/animat.png
 
-reproduce: program ## evolve the design of the tracked tables again, from zero, and compare every table with them
+reproduce: program ## evolve the design of the tracked tables again, from zero, and compare every table and every run with them
 	@[ -f data/manifest.csv ] || { echo 'reproduce: there are no tracked tables in data/'; exit 1; }
 	@rm -rf $(OUT)/reproduce
 	@$(MAKE) evolve data OUT=$(OUT)/reproduce SEEDS=1:$(call stated,seeds) POPULATION=$(call stated,population) GENERATIONS=$(call stated,generations)
+	@diff -r -x manifest.csv $(OUT)/reproduce/runs/* data/runs/replication || { echo 'reproduce: the runs differ'; exit 1; }
 	@different=0; for table in $(OUT)/reproduce/data/*.csv; do \
 	  cmp -s "$$table" "data/$${table##*/}" || { echo "reproduce: $${table##*/} differs"; different=$$((different + 1)); }; done; \
 	  echo "reproduce: $$(ls $(OUT)/reproduce/data/*.csv | wc -l) tables made again, $$different of them different from those in data/"; ((different == 0))
 # A number of the design of the tracked tables.
 stated = $(shell awk -F, '$$1 == "$(1)" { print $$2 }' data/manifest.csv)
 
-keep-data: ## copy build/data to data/, the tracked tables that `make paper` prefers
+verify: program ## check the tracked data: all files and tables, and in at most MINUTES (10) as much as fits simulated again
+	@bash paper/verify.sh $(PLANULA) $(OUT)/verify $(MINUTES)
+MINUTES ?= 10
+
+keep-data: ## copy build/data and the runs behind it to data/, the tracked tables that `make paper` prefers
 	@cp $(OUT)/data/*.csv data/
-	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables copied from $(OUT)/data; commit them with the design that made them'
+	@rm -rf data/runs; mkdir -p data/runs; cp -r $(RUNS) data/runs/replication; cp -r $(OUT)/runs/searches data/runs/searches
+	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables and their runs copied from $(OUT); commit them with the design that made them'
 
 sensitivity: program ## halve and double every assumed value for evolved animats: build/data/sensitivity.csv
-	@$(PLANULA) run experiments/sensitivity.lua --out $(OUT)/runs/sensitivity
+	@$(PLANULA) run experiments/sensitivity.lua --out $(SENSITIVITY_RUNS)
 	@rm -rf $(OUT)/data.new
-	@$(PLANULA) sensitivity experiments/sensitivity.lua --runs $(OUT)/runs/sensitivity --out $(OUT)/data.new > /dev/null
+	@$(PLANULA) sensitivity experiments/sensitivity.lua --runs $(SENSITIVITY_RUNS) --out $(OUT)/data.new > /dev/null
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 	@echo 'sensitivity: $(OUT)/data/sensitivity.csv; the next `make paper` has its table'
+
+# The first seed of the paper's design at its own population.
+SENSITIVITY_RUNS = $(OUT)/runs/replication-300
 
 searches: program ## compare the searches at equal evaluations, the three beyond the paper among them: build/data/searches.csv
 	@$(PLANULA) run experiments/searches.lua --out $(OUT)/runs/searches
@@ -121,7 +130,7 @@ signature: program ## one hash over the runs of experiments/signature.lua must b
 verify-signature: deps ## the same, with a second compiler or optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills; every file call failing once; a signature that sees every parameter
+torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills; every file call failing once; 100 altered records; a signature that sees every parameter; a cluster
 	@bash tests/torture/signature.sh --all
 	@cmake --build build --parallel $(JOBS) --target planula $(TORTURE) > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
 	@build/tests/random_genomes 200000
@@ -129,8 +138,14 @@ torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, 
 	@build/tests/random_cases 100000
 	@bash tests/torture/kills.sh $(PLANULA)
 	@bash tests/torture/faults.sh $(PLANULA)
+	@bash tests/torture/audit.sh $(PLANULA)
 	@bash tests/torture/parameters.sh $(PLANULA)
+	@$(MAKE) test-cluster
 TORTURE = random_genomes passive_bodies random_cases
+
+test-cluster: program ## a design as a Slurm job array: time limits, cancelled tasks, a failing node, two tasks for one run; a Slurm of its own, 1 to 2 minutes
+	@bash tests/support/packages.sh slurmctld slurmd slurm-client munge || true
+	@bash tests/torture/cluster.sh $(PLANULA)
 
 BENCHMARK_RUNS ?= 50
 benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and mazes, and beside MultiNEAT: tests/benchmarks/*.csv; interrupt and go on at will
@@ -167,7 +182,7 @@ clean: ## remove build/, runs included
 	@rm -rf build
 
 ##@ System packages (Debian 12; done by the others when needed)
-BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev
+BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev liblzma-dev
 PAPER_PACKAGES = gnuplot-nox texlive-latex-base texlive-latex-recommended texlive-luatex lmodern
 
 deps: ## packages to build and test
@@ -176,8 +191,8 @@ deps: ## packages to build and test
 deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce sensitivity searches \
-        build program signature verify-signature torture benchmarks bench instructions lint format clean deps deps-paper always
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches \
+        build program signature verify-signature torture test-cluster benchmarks bench instructions lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:
@@ -200,7 +215,7 @@ $(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manif
 	@echo 'data: reducing …'
 	@rm -rf $(OUT)/data.new
 	@$(PLANULA) reduce $(EXPERIMENT) $(DESIGN) --runs $(RUNS) --out $(OUT)/data.new > /dev/null
-	@echo 'data: living every champion again, at half the time step and in Bullet …'
+	@echo 'data: simulating every champion again, at finer time steps and in Bullet …'
 	@$(PLANULA) witness $(EXPERIMENT) $(DESIGN) --runs $(RUNS) --out $(OUT)/data.new > /dev/null
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 	@touch $@
@@ -208,7 +223,7 @@ $(TABLES:%=$(OUT)/data/%.csv) $(WITNESS:%=$(OUT)/data/%.csv) &: $(OUT)/reduced ;
 
 FRAME_TABLES = frames frame_cells frame_links morphologies
 $(OUT)/framed: $(PLANULA) $(SCRIPTS) $(DATA)/best_genomes.csv
-	@echo 'frames: living the best again …'
+	@echo 'frames: simulating the best again …'
 	@rm -rf $(FRAMES).new
 	@$(PLANULA) frames $(EXPERIMENT) --data $(DATA) --out $(FRAMES).new > /dev/null
 	@$(call replace_if_changed,$(FRAMES).new,$(FRAMES))
