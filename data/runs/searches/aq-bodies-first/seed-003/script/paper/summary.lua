@@ -1,0 +1,10 @@
+-- SPDX-License-Identifier: MIT
+-- What is computed for every experiment: intervals and shares, without a claim.
+return {
+  confidence = "confidence",        -- coverage of bootstrap intervals (Fig. 6)
+  resamples = "bootstrap_resamples",
+  significance = 0.05,              -- a p-value below this tells two groups apart (§3.2)
+  sample_share = 0.01,              -- of all individuals of a run, drawn for Fig. 8 (§3.4)
+  sample_least = 1000,              -- of a run too small for that, so many
+  fitness_classes = 20,             -- bars of the distribution in Fig. 11
+}
