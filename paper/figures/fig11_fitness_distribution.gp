@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 11 of the paper: distribution of fitness in the last generation, each run normalised by its best, mean of runs.
+# Figure 11 of the paper: distribution of fitness in the last generation, each run normalised by its highest, mean of runs.
 height = 5.2
 load 'paper/figures/style.gp'
 
@@ -13,7 +13,7 @@ set xtics ('0' 0, '0.5' 0.5, '1' 1)
 do for [i = 1:4] {
     group = word(groups, i)
     set label 1 panel_title(word('A B C D', i), word(titles, i)) at graph 0,1.06 left textcolor rgb ink
-    set label 2 (i == 1 ? 'fitness relative to the best of the run' : '') at screen 0.5275,0.05 center textcolor rgb ink
+    set label 2 (i == 1 ? 'fitness relative to the highest of the generation' : '') at screen 0.5275,0.05 center textcolor rgb ink
     set ylabel (i == 1 ? 'individuals (%)' : '') offset 0.2,0 textcolor rgb ink
     if (i == 1) { set format y '%g'; set key top left Left reverse samplen 0.8 } else { set format y ''; unset key }
     plot @unseen, for [search in 'neat ns'] table('fitness_shares') \
