@@ -67,7 +67,7 @@ try() { # try JOB CALL ERROR PLACE
         is_right || complain "done, and the results are wrong: $(head -n 3 "$folder/diff")"
     else
         failed=$((failed + 1))
-        grep -qE '/|\.lua|\.so' "$folder/said" || complain "exit code $code, and no file is named: $(tail -n 1 "$folder/said")"
+        grep -qE '/|\.lua|\.so|standard output' "$folder/said" || complain "exit code $code, and no file is named: $(tail -n 1 "$folder/said")"
         ((code == 65 || code == 73 || code == 74 || code == 127)) || complain "exit code $code: $(tail -n 1 "$folder/said")"
     fi
     "${words[@]}" > "$folder/said" 2>&1 || complain "does not end right when repeated: $(tail -n 1 "$folder/said")"
