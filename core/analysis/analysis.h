@@ -82,7 +82,7 @@ struct RunChoice {
 };
 
 /// Reads the chosen runs as they were after the settings' generations, after checking their hashes, and writes the
-/// tables into `out`, the manifest last. Throws InputError for damaged runs and if there is none at all, and CreateError
+/// tables into `out`, the manifest last. Throws InputError for damaged runs and without any run, and CreateError
 /// if another process writes into `out` or that is the folder of a run.
 void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunChoice &runs,
             const std::filesystem::path &out);

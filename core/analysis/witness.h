@@ -41,7 +41,7 @@ WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64
 /// What the champions of one setting come to.
 EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions);
 
-/// Lives the champions of the chosen runs on up to `threads` threads, and writes witness.csv
+/// Simulates the champions of the chosen runs on up to `threads` threads, and writes witness.csv
 /// and engines.csv into `out`. Settings without runs have no rows; nor has a run without a viable individual
 /// in witness.csv. Throws InputError for damaged runs, for a champion
 /// whose life is not the recorded one, and if there is no run at all, and CreateError as reduce() does.

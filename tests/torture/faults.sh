@@ -73,7 +73,7 @@ try() { # try JOB CALL ERROR PLACE
     "${words[@]}" > "$folder/said" 2>&1 || complain "does not end right when repeated: $(tail -n 1 "$folder/said")"
     is_right || complain "comes to wrong results: $(head -n 3 "$folder/diff")"
     case $job in
-        resume | longer) grep -qE 'resumes with generation|generations already' "$folder/said" || complain 'began anew' ;;
+        resume | longer) grep -qE 'resumes with generation|generations already' "$folder/said" || complain 'started from the beginning' ;;
     esac
 }
 kinds=(write:ENOSPC fsync:EIO rename:EIO renameat2:EINVAL renameat2:EIO ftruncate:EIO flock:ENOLCK close:EIO unlink:EIO
