@@ -55,6 +55,13 @@ add { name = "map-elites", search = "map-elites", behaviour = descriptors.size_a
 add { name = "bodies-first", search = "novelty", start = { generations = 4, behaviour = descriptors.shape },
       parameters = brief { generations = 2 } }
 
+-- Each rule that a choice of the model names beside the standard one (paper/decisions/0020-readings.md).
+add { name = "turns", search = "novelty", actuation = "grn",
+      parameters = brief { division_turn = "daughter", division_angle_range = 0.5, gait_time = "rising", start_weight = 2 } }
+add { name = "aged-novelty", search = "novelty", parameters = planula.fill({ novelty_species = "aged" }, species) }
+add { name = "tissue-frame", search = "neat", actuation = "grn", environment = paper.terrestrial(),
+      parameters = brief { division_turn = "nobody", orientation_frame = "tissue", gait_place = "present" } }
+
 -- A valley, and a river whose water also rises.
 add { name = "slopes", search = "neat", actuation = "grn", parameters = brief {},
       environment = paper.terrestrial { ground = { { -8, 4 }, { -1, 0 }, { 1, 0.2 }, { 5, 3 } } } }

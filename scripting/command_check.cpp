@@ -45,8 +45,9 @@ void describe_setting(const Spec &setting, std::ostream &out) {
         const double value = parameter(setting.parameters, row.name);
         if (value == row.standard) continue;
         as_in_the_paper = false;
-        out << "  " << row.name << " = " << to_text(value) << ' ' << row.unit << " (standard "
-            << to_text(row.standard) << ", " << row.origin << "): " << row.meaning << '\n';
+        out << "  " << row.name << " = " << value_text(row, value)
+            << (row.is_choice() ? "" : " " + std::string(row.unit)) << " (standard "
+            << value_text(row, row.standard) << ", " << row.origin << "): " << row.meaning << '\n';
     }
     if (as_in_the_paper) out << "  every parameter as in the paper's replication\n";
 }

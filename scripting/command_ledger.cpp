@@ -13,6 +13,15 @@ namespace {
 
 constexpr Option parameters_options[] = {{"csv", "", "as the table parameters.csv"}};
 
+/// The unit and the range of a number, the alternatives of a choice.
+std::string range_text(const ParameterRow &row) {
+    if (!row.is_choice())
+        return std::string(row.unit) + " [" + to_text(row.lowest) + " … " + to_text(row.highest) + "]";
+    std::string names;
+    for (const std::string_view name : row.names) names.append(names.empty() ? "[" : " | ").append(name);
+    return names + "]";
+}
+
 int print_parameters(const Arguments &arguments, Console &console) {
     if (arguments.has("csv")) {
         console.out << header_line<LedgerRow>();
@@ -24,9 +33,8 @@ int print_parameters(const Arguments &arguments, Console &console) {
     for (const ParameterRow &row : parameter_rows()) {
         if (row.section != section) console.out << (section.empty() ? "" : "\n") << row.section << '\n';
         section = row.section;
-        console.out << "  " << row.name << " = " << to_text(row.standard) << ' ' << row.unit << " ["
-                    << to_text(row.lowest) << " … " << to_text(row.highest) << "] (" << row.origin
-                    << "): " << row.meaning << '\n';
+        console.out << "  " << row.name << " = " << value_text(row, row.standard) << ' ' << range_text(row)
+                    << " (" << row.origin << "): " << row.meaning << '\n';
     }
     return 0;
 }

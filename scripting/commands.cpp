@@ -68,6 +68,11 @@ double number_of(const std::string &option, const std::string &text) {
     throw UsageError(option + " takes a number, not '" + text + "'");
 }
 
+double override_of(const std::string &name, const std::string &word) {
+    const ParameterRow &row = parameter_row(name);
+    return row.is_choice() ? value_of(row, word) : number_of("--set " + name, word);
+}
+
 std::uint64_t seed_of(const std::string &text) {
     const auto seed = parse_int(text);
     if (seed && *seed >= 0) return static_cast<std::uint64_t>(*seed);
@@ -105,25 +110,25 @@ int run_program(const std::vector<std::string> &words, Console &console) {
 
 Overrides overrides_of(const Arguments &arguments) {
     Overrides overrides;
+    Parameters trial;
+    // What is wrong with them is the command line's fault, not the script's.
+    const auto add = [&](const std::string &name, const auto &value) {
+        try {
+            overrides.emplace_back(name, value());
+            set_parameter(trial, name, overrides.back().second);
+        } catch (const InputError &error) {
+            throw UsageError(std::string(error.what()) + "\nsee planula parameters");
+        }
+    };
     for (const std::string &word : arguments.all("set")) {
         const std::size_t equals = word.find('=');
         if (equals == word.npos) throw UsageError("--set takes name=value, not '" + word + "'");
         const std::string name = word.substr(0, equals);
-        overrides.emplace_back(name, number_of("--set " + name, word.substr(equals + 1)));
+        add(name, [&] { return override_of(name, word.substr(equals + 1)); });
     }
     for (const char *name : {"generations", "population"})
         if (arguments.has(name))
-            overrides.emplace_back(name, number_of(std::string("--") + name, arguments.text(name)));
-
-    // What is wrong with them is the command line's fault, not the script's.
-    Parameters trial;
-    for (const auto &[name, value] : overrides) {
-        try {
-            set_parameter(trial, name, value);
-        } catch (const InputError &error) {
-            throw UsageError(std::string(error.what()) + "\nsee planula parameters");
-        }
-    }
+            add(name, [&] { return number_of(std::string("--") + name, arguments.text(name)); });
     return overrides;
 }
 

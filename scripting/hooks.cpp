@@ -138,7 +138,7 @@ class Hooks::Functions {
         for (const ParameterRow &row : parameter_rows()) {
             if (!decides_lives(row)) continue;
             lua_pushlstring(L, row.name.data(), row.name.size());
-            lua_pushnumber(L, parameter(self.parameters_, row.name));
+            push_value(L, row, parameter(self.parameters_, row.name));
             lua_rawset(L, -3);
         }
         freeze(L, "parameters", why_not_shown);

@@ -66,7 +66,11 @@ std::optional<double> Reader::quantity(const std::string &key, const Parameters 
     const Value *value = table_.find(key);
     if (!value || !value->is(Value::Kind::text)) return number(key, needed);
     std::optional<double> result;
-    check_at(at(key), problems_, [&] { result = parameter(parameters, value->text); });
+    check_at(at(key), problems_, [&] {
+        if (parameter_row(value->text).is_choice())
+            throw InputError(at(key).words + ": " + value->text + " is a choice, not a number");
+        result = parameter(parameters, value->text);
+    });
     return result;
 }
 

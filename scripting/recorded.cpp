@@ -40,7 +40,7 @@ OwnSetting recorded_setting(const RecordedRun &run) {
     const std::filesystem::path scripts = script_folder(run.folder);
     Overrides overrides;
     for (const OverrideRow &row : read_table<OverrideRow>(scripts))
-        overrides.emplace_back(row.parameter, row.value);
+        overrides.emplace_back(row.parameter, value_of(parameter_row(row.parameter), row.value));
     const Experiment experiment = load_experiment(scripts / script_file, scripts, overrides);
     const Spec *setting = experiment.find(run.setting);
     if (!setting)

@@ -170,11 +170,15 @@ class Schema {
         if (!table.list.empty()) problems_.add(place, "parameters are stated by name: name = value");
         for (const auto &[name, value] : table.fields) {
             const Place here = place.at(name, &value);
-            if (!value.is(Value::Kind::number))
-                problems_.add(here, here.words + " must be a number, not " + name_of(value.kind));
-            else
-                check_at(here, problems_,
-                         [&, key = name, to = value.number] { set_parameter(spec.parameters, key, to); });
+            check_at(here, problems_, [&, &key = name, &stated = value] {
+                const ParameterRow &row = parameter_row(key);
+                const Value::Kind kind = row.is_choice() ? Value::Kind::text : Value::Kind::number;
+                if (!stated.is(kind))
+                    throw InputError(here.words + " must be " + name_of(kind) + ", not " +
+                                     name_of(stated.kind));
+                set_parameter(spec.parameters, key,
+                              row.is_choice() ? value_of(row, stated.text) : stated.number);
+            });
         }
     }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "parameters/parameters.h"
 #include "scripting/lua_state.h"
 
 #include <string>
@@ -31,6 +32,9 @@ void freeze(lua_State *L, const char *name, WhyAbsent why = nullptr);
 
 /// Loads the modules that functions require by name, and closes the state to further ones. Raises if one fails.
 void load_inner_modules(lua_State *L);
+
+/// Pushes a parameter's value: a number, or the name of a choice.
+void push_value(lua_State *L, const ParameterRow &row, double value);
 
 /// Keeps in the registry, as the table `library_names`, what scripts call each function and table of the library:
 /// library_names[value] = "math.sqrt". The rest of what a script holds is its own.

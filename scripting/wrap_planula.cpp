@@ -17,6 +17,12 @@ int locate(lua_State *L) {
 
 } // namespace
 
+void push_value(lua_State *L, const ParameterRow &row, double value) {
+    if (!row.is_choice()) return lua_pushnumber(L, value);
+    const std::string_view name = row.names[static_cast<std::size_t>(value)];
+    lua_pushlstring(L, name.data(), name.size());
+}
+
 void wrap_planula(lua_State *L) {
     lua_newtable(L);
     lua_pushcfunction(L, locate);
@@ -24,7 +30,7 @@ void wrap_planula(lua_State *L) {
     lua_newtable(L);
     for (const ParameterRow &row : parameter_rows()) {
         lua_pushlstring(L, row.name.data(), row.name.size());
-        lua_pushnumber(L, row.standard);
+        push_value(L, row, row.standard);
         lua_rawset(L, -3);
     }
     freeze(L, "planula.parameters");

@@ -103,7 +103,7 @@ std::vector<Sample> draw_samples(std::span<const Spec> settings, const RunChoice
 }
 
 bool concerns(const ParameterRow &parameter, const Spec &spec) {
-    if (parameter.name == only_recorded) return false;
+    if (parameter.name == only_recorded || parameter.is_choice()) return false;
     if (parameter.section == "Water") return spec.environment.has_fluid();
     if (parameter.section == "Land") return spec.environment.has_ground;
     constexpr std::array<std::string_view, 4> always{"Development", "Control network", "Body", "Gait"};

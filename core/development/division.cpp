@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "development/division.h"
 
+#include "base/check.h"
 #include "base/hash.h"
 #include "base/math.h"
 
@@ -14,9 +15,11 @@ namespace {
 /// A sum of unit vectors shorter than this is rounding error: they cancel.
 constexpr double cancelled = 1e-12;
 
+/// Of complex numbers: lengths multiply, angles add.
+Vec2d product(Vec2d a, Vec2d b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+
 Vec2d turned(Vec2d direction, double angle) {
-    const double c = math::cos(angle), s = math::sin(angle);
-    return {direction.x * c - direction.y * s, direction.x * s + direction.y * c};
+    return product(direction, {math::cos(angle), math::sin(angle)});
 }
 
 /// A number in [-1, 1) from 32 bits.
@@ -24,12 +27,30 @@ double symmetric(std::uint64_t bits) { return static_cast<double>(bits & 0xfffff
 
 } // namespace
 
-Vec2d division_direction(const Embryo &embryo, int cell, double angle_output) {
+void carry_orientations(std::span<const Vec2d> places, Embryo &embryo) {
+    CHECK(places.size() == embryo.cells.size(), places.size(), embryo.cells.size());
+    // As complex numbers: the angle of Σ conj(before) · after over the links of a cell.
+    std::vector<Vec2d> rotations(embryo.cells.size());
+    for (const Link &link : embryo.links) {
+        const Vec2d from = places[link.b] - places[link.a];
+        const Vec2d to = embryo.cells[link.b].position - embryo.cells[link.a].position;
+        const Vec2d turn{dot(from, to), cross(from, to)};
+        rotations[link.a] += turn;
+        rotations[link.b] += turn;
+    }
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+        if (!(length(rotations[i]) > cancelled)) continue;
+        const Vec2d now = product(embryo.cells[i].orientation, rotations[i]);
+        embryo.cells[i].orientation = now / length(now);
+    }
+}
+
+Vec2d division_direction(const Embryo &embryo, int cell, double angle_output, const Parameters &p) {
     Vec2d mean;
     for (const int neighbour : embryo.neighbours[cell]) mean += embryo.cells[neighbour].orientation;
     const double norm = length(mean);
     const Vec2d base = norm > cancelled ? mean / norm : embryo.cells[cell].orientation;
-    const Vec2d direction = turned(base, math::pi * angle_output);
+    const Vec2d direction = turned(base, math::pi * p.division_angle_range * angle_output);
     return direction / length(direction);
 }
 
@@ -44,15 +65,20 @@ void remove_cells(std::span<const char> dying, Embryo &embryo) {
     embryo.activations.remove(dying);
 }
 
-Vec2d daughter_position(Vec2d mother, Vec2d direction, int daughter_id, const Parameters &p) {
-    const std::uint64_t bits = mix(static_cast<std::uint64_t>(daughter_id));
+Vec2d daughter_position(Vec2d mother, Vec2d direction, std::uint64_t lineage, const Parameters &p) {
+    const std::uint64_t bits = mix(lineage);
     const double reach = p.division_jitter / std::sqrt(2.0);
     const Vec2d offset{symmetric(bits) * reach, symmetric(bits >> 32) * reach};
     return mother + direction * (2 * p.cell_radius) + offset;
 }
 
+std::uint64_t daughter_lineage(const Cell &mother) {
+    return mix(mother.lineage + static_cast<std::uint64_t>(mother.daughters) + 1);
+}
+
 bool divide(int mother, Vec2d direction, const Parameters &p, Embryo &embryo) {
-    const Vec2d place = daughter_position(embryo.cells[mother].position, direction, embryo.births, p);
+    const Vec2d place = daughter_position(embryo.cells[mother].position, direction,
+                                          daughter_lineage(embryo.cells[mother]), p);
     const double surely_clear =
         1.001 * p.division_clearance * p.division_clearance; // most are, and no root is needed
     for (int i = 0; i < static_cast<int>(embryo.cells.size()); ++i) {
@@ -61,10 +87,14 @@ bool divide(int mother, Vec2d direction, const Parameters &p, Embryo &embryo) {
         if (i != mother && length(offset) < p.division_clearance) return false;
     }
 
-    embryo.cells[mother].orientation = direction;
     Cell daughter = embryo.cells[mother];
+    daughter.lineage = daughter_lineage(daughter);
     daughter.id = embryo.births++;
+    daughter.daughters = 0;
     daughter.position = place;
+    if (p.division_turn != DivisionTurn::nobody) daughter.orientation = direction;
+    if (p.division_turn == DivisionTurn::both) embryo.cells[mother].orientation = direction;
+    ++embryo.cells[mother].daughters;
     embryo.cells.push_back(daughter);
     embryo.activations.append_copy(mother);
     embryo.largest = std::max(embryo.largest, static_cast<int>(embryo.cells.size()));

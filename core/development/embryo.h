@@ -6,12 +6,15 @@
 #include "body/mesh.h"
 #include "network/activations.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace planula {
 
 struct Cell {
-    int id = 0; // 0 is the zygote; daughters count on
+    int id = 0;                // 0 is the zygote; daughters count on
+    std::uint64_t lineage = 0; // a hash of the divisions that it comes from
+    int daughters = 0;
     Vec2d position, velocity;
     Vec2d orientation{1, 0}; // unit vector
     double morphogen = 0;    // the output at the latest decision

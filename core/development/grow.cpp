@@ -57,8 +57,8 @@ Outcome decide(const Network &network, Actuation actuation, double time, const P
         };
         dying.push_back(output_of(output::apoptosis) > 0);
         if (!dying.back() && !(output_of(output::division_inhibitor) > 0))
-            wishes.push_back(
-                {embryo.cells[i].id, division_direction(embryo, i, output_of(output::division_angle))});
+            wishes.push_back({embryo.cells[i].id,
+                              division_direction(embryo, i, output_of(output::division_angle), parameters)});
     }
     remove_cells(dying, embryo);
 
@@ -100,7 +100,11 @@ bool refresh(bool all_live, Connection &connection, Embryo &embryo) {
 Outcome develop(const Network &network, Actuation actuation, const Parameters &parameters,
                 const GrowthWatch &watch, Connection &connection, Embryo &embryo) {
     bool all_live = false; // the cells of the last refresh
+    const bool carries = parameters.orientation_frame == OrientationFrame::tissue;
+    std::vector<Vec2d> refreshed; // where they were then, if orientations turn with the tissue
     for (int step = 0; step < parameters.development_steps; ++step) {
+        const bool refreshes = step % parameters.neighbourhood_interval == 0;
+        if (carries && refreshes && step > 0) carry_orientations(refreshed, embryo);
         if (step % parameters.decision_interval == 0) {
             const double time = static_cast<double>(step) / parameters.development_steps;
             const std::size_t dead = embryo.births - embryo.cells.size();
@@ -108,9 +112,10 @@ Outcome develop(const Network &network, Actuation actuation, const Parameters &p
             if (outcome != Outcome::viable) return outcome;
             all_live = all_live && embryo.births - embryo.cells.size() == dead;
         }
-        if (step % parameters.neighbourhood_interval == 0) {
+        if (refreshes) {
             if (!refresh(all_live, connection, embryo)) return Outcome::exploded;
             all_live = true;
+            if (carries) refreshed = positions(embryo);
         }
         if (watch) watch(step, positions(embryo), embryo.links);
         relax(parameters, embryo);

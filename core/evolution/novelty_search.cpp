@@ -18,7 +18,9 @@ std::vector<double> NoveltySearch::score(const Population &population,
 
 Population NoveltySearch::next(const Population &population, std::span<const double> scores,
                                const NetworkShape &shape, std::uint64_t seed) const {
-    return reproduce(population, scores, false, shape.recurrent, parameters_, seed);
+    const bool aged = parameters_.novelty_species == NoveltySpecies::aged;
+    return reproduce(population, scores, aged ? Adjustment::age : Adjustment::none, shape.recurrent,
+                     parameters_, seed);
 }
 
 void NoveltySearch::save(StateWriter &writer) const {

@@ -38,7 +38,7 @@ Population initial_population(const NetworkShape &shape, const Parameters &param
     for (int slot = 0; slot < parameters.population; ++slot) {
         Stream stream(seed, 0, slot, Purpose::initial_weights);
         Genome child = ancestor;
-        for (auto &link : child.links) link.weight = new_weight(parameters, stream);
+        for (auto &link : child.links) link.weight = new_weight(parameters.start_weight, parameters, stream);
         add_child(parameters, population, std::move(child));
     }
     settle(parameters.population, population);

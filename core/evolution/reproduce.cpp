@@ -48,21 +48,22 @@ void note_best(std::span<const double> scores, const Parameters &parameters, std
 }
 
 /// What the scores of this species' members are multiplied by before offspring is shared out.
-double worth(const Species &species, const Parameters &parameters) {
+double worth(const Species &species, Adjustment adjustment, const Parameters &parameters) {
     double factor = 1;
+    if (adjustment == Adjustment::none) return factor;
     if (species.age < parameters.young_age) factor *= parameters.young_boost;
     if (species.age > parameters.old_age) factor *= parameters.old_penalty;
     if (species.stagnation > parameters.stagnation_limit && !species.best)
         factor *= parameters.stagnation_penalty;
-    return factor / static_cast<double>(species.members.size());
+    return adjustment == Adjustment::age ? factor : factor / static_cast<double>(species.members.size());
 }
 
 /// The adjusted score of each species: the sum over its members.
 std::vector<double> adjusted_scores(const std::vector<Species> &species, std::span<const double> scores,
-                                    bool shared, const Parameters &parameters) {
+                                    Adjustment adjustment, const Parameters &parameters) {
     std::vector<double> adjusted;
     for (const auto &each : species) {
-        const double factor = shared ? worth(each, parameters) : 1;
+        const double factor = worth(each, adjustment, parameters);
         double sum = 0;
         for (const int member : each.members)
             sum += factor * (scores[member] > 0 ? scores[member] : parameters.fitness_floor);
@@ -106,7 +107,7 @@ Population heir(const Population &population, std::span<const double> scores,
 
 } // namespace
 
-Population reproduce(const Population &population, std::span<const double> scores, bool shared,
+Population reproduce(const Population &population, std::span<const double> scores, Adjustment adjustment,
                      bool recurrent, const Parameters &parameters, std::uint64_t seed) {
     CHECK(scores.size() == population.genomes.size(), scores.size(), population.genomes.size());
     CHECK(std::all_of(scores.begin(), scores.end(), [](double s) { return s >= 0 && std::isfinite(s); }));
@@ -115,7 +116,7 @@ Population reproduce(const Population &population, std::span<const double> score
     std::vector<Species> species = ranked(population.species, scores);
     grow_older(population.best_ever, species);
     note_best(scores, parameters, species);
-    const std::vector<double> adjusted = adjusted_scores(species, scores, shared, parameters);
+    const std::vector<double> adjusted = adjusted_scores(species, scores, adjustment, parameters);
     const std::vector<int> quota = quotas(adjusted, parameters.population);
 
     // Each species breeds its champion, then its quota; a surplus from rounding is never born.

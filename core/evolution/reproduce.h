@@ -13,11 +13,16 @@
 
 namespace planula {
 
+/// What a species' scores are multiplied by before offspring are shared out.
+enum class Adjustment {
+    none,   // nothing: a score is worth the same in every species
+    age,    // boosts of young, penalties of old and stagnating species
+    sharing // the same, over the size of the species
+};
+
 /// The next generation, of parameters.population genomes. `scores` are in slot order, finite, and at least 0.
-/// `shared`: they are divided by the size of the species, with boosts for young and penalties for stagnating
-/// species; without it a score is worth the same in every species. `recurrent` is the shape's: it allows
-/// links that do not climb in depth.
-Population reproduce(const Population &population, std::span<const double> scores, bool shared,
+/// `recurrent` is the shape's: it allows links that do not climb in depth.
+Population reproduce(const Population &population, std::span<const double> scores, Adjustment adjustment,
                      bool recurrent, const Parameters &parameters, std::uint64_t seed);
 
 } // namespace planula

@@ -21,7 +21,7 @@ bool is_hash(std::string_view key) { return key == "model" || key.starts_with(fu
 std::string standard_of(std::string_view key) {
     if (!key.starts_with(parameter_key)) return "";
     for (const ParameterRow &row : parameter_rows())
-        if (row.name == key.substr(parameter_key.size())) return to_text(row.standard);
+        if (row.name == key.substr(parameter_key.size())) return value_text(row, row.standard);
     return "";
 }
 
@@ -99,8 +99,8 @@ Identity identity_of(const Spec &spec, std::uint64_t seed) {
     for (const ParameterRow &row : parameter_rows())
         if (decides_lives(row))
             identity.items.push_back({parameter_key + std::string(row.name),
-                                      to_text(parameter(spec.parameters, row.name)), "",
-                                      to_text(row.standard)});
+                                      value_text(row, parameter(spec.parameters, row.name)), "",
+                                      value_text(row, row.standard)});
     return identity;
 }
 

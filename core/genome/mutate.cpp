@@ -85,8 +85,8 @@ std::vector<Degree> count_degrees(const Genome &genome) {
 
 } // namespace
 
-double new_weight(const Parameters &parameters, Stream &stream) {
-    return clamped(parameters.weight_replacement * stream.triangular(), parameters);
+double new_weight(double scale, const Parameters &parameters, Stream &stream) {
+    return clamped(scale * stream.triangular(), parameters);
 }
 
 bool mutate_weights(const Parameters &parameters, Stream &stream, Genome &genome) {
@@ -94,7 +94,7 @@ bool mutate_weights(const Parameters &parameters, Stream &stream, Genome &genome
     const bool severe = stream.chance(parameters.weight_severe_rate);
     for (auto &link : genome.links)
         link.weight = severe
-                          ? new_weight(parameters, stream)
+                          ? new_weight(parameters.weight_replacement, parameters, stream)
                           : clamped(link.weight + parameters.weight_power * stream.triangular(), parameters);
     return true;
 }
@@ -131,7 +131,7 @@ bool add_link(const Parameters &parameters, bool recurrent, Innovations &innovat
         if (!may_join(from, to, direction, recurrent) || genome.has_link(from.id, to.id)) continue;
 
         const int innovation = innovations.link(from.id, to.id);
-        const double weight = new_weight(parameters, stream);
+        const double weight = new_weight(parameters.weight_replacement, parameters, stream);
         insert(genome, LinkGene{innovation, from.id, to.id, weight, direction != Direction::forward});
         return true;
     }

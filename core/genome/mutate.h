@@ -14,7 +14,7 @@
 namespace planula {
 
 /// The weight of a link that nothing is known about: u± times its scale, within the limit.
-double new_weight(const Parameters &parameters, Stream &stream);
+double new_weight(double scale, const Parameters &parameters, Stream &stream);
 
 /// Replaces all weights by new ones, or moves all of them, within the limit. Fails without links.
 bool mutate_weights(const Parameters &parameters, Stream &stream, Genome &genome);

@@ -23,6 +23,8 @@ class HeldGait : public Gait {
   public:
     HeldGait(std::unique_ptr<Gait> gait, int from) : gait_(std::move(gait)), from_(from) {}
 
+    bool senses() const override { return held_.empty() && gait_->senses(); }
+    void sense(std::span<const Vec2d> places) override { gait_->sense(places); }
     void signals(int t, std::span<double> signal) override {
         if (held_.empty()) gait_->signals(t, signal);
         if (held_.empty() && t >= from_) held_.assign(signal.begin(), signal.end());

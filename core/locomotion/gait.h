@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Muscles: how the cells change the rest lengths of their springs over time (§2.5, 2.6; decisions 0011
 // and 0012). A gait gives each cell's actuation signal; oscillators and networks are its two kinds. It
-// senses nothing of the moving body.
+// senses nothing of the moving body, unless networks read their present place.
 #pragma once
 
 #include "body/body.h"
@@ -19,6 +19,10 @@ class Gait {
   public:
     virtual ~Gait() = default;
 
+    /// Whether sense() must be called before each call of signals().
+    virtual bool senses() const { return false; }
+    /// Where the cells are, world frame.
+    virtual void sense(std::span<const Vec2d>) {}
     /// The signal of each cell in [-1, 1] at step t, written to `signal`. Called once for each knot t = 0,
     /// knot_interval, 2·knot_interval, …, in this order.
     virtual void signals(int t, std::span<double> signal) = 0;

@@ -10,10 +10,20 @@ namespace planula {
 
 GrnMuscles::GrnMuscles(const Network &network, const Body &body, const Tissue &tissue,
                        const Parameters &parameters)
-    : network_(network), parameters_(parameters), neighbours_(body.mesh.links, body.cells()), tissue_(tissue),
-      previous_(body.positions.size(), 0.0), newest_(body.positions.size(), 0.0) {
-    for (int cell = 0; cell < body.cells(); ++cell) {
-        const auto inputs = sense(body.positions[cell], 0, 1, parameters);
+    : network_(network), parameters_(parameters), neighbours_(body.mesh.links, body.cells()),
+      places_(body.positions), tissue_(tissue), previous_(body.positions.size(), 0.0),
+      newest_(body.positions.size(), 0.0) {
+    read_inputs(1);
+}
+
+void GrnMuscles::sense(std::span<const Vec2d> places) {
+    if (!to_embryo_) to_embryo_ = centre_of_mass(places_) - centre_of_mass(places);
+    for (std::size_t i = 0; i < places_.size(); ++i) places_[i] = places[i] + *to_embryo_;
+}
+
+void GrnMuscles::read_inputs(double time) {
+    for (int cell = 0; cell < tissue_.activations.cells(); ++cell) {
+        const auto inputs = planula::sense(places_[cell], 0, time, parameters_);
         for (int node = 0; node < input::count; ++node) tissue_.activations.at(cell, node) = inputs[node];
     }
 }
@@ -21,7 +31,7 @@ GrnMuscles::GrnMuscles(const Network &network, const Body &body, const Tissue &t
 void GrnMuscles::signals(int t, std::span<double> signal) {
     // The last interval ends without a further update.
     const int interval = parameters_.update_interval;
-    if (t % interval == 0 && t < parameters_.locomotion_steps) update();
+    if (t % interval == 0 && t < parameters_.locomotion_steps) update(t);
     const int last = std::min(t, parameters_.locomotion_steps - 1) / interval * interval;
 
     // Eq. (2): a = s_prev + (t − t_u)(s_new − s_prev) / 50.
@@ -35,16 +45,20 @@ double GrnMuscles::activity() const {
     return updates_ < 2 ? 0 : change_ / (2 * terms); // Eq. (5)
 }
 
-void GrnMuscles::update() {
+void GrnMuscles::update(int t) {
     if (is_at_rest_) {
         ++updates_;
         return;
     }
     // Where no signal changed, nothing may have, and then nothing ever will.
     Activations &activations = tissue_.activations;
-    const bool may_rest = updates_ > 1 && newest_ == previous_;
+    const bool may_rest = !inputs_change() && updates_ > 1 && newest_ == previous_;
     if (may_rest) before_ = activations;
 
+    if (inputs_change()) {
+        const bool rises = parameters_.gait_time == GaitTime::rising;
+        read_inputs(rises ? 1 + static_cast<double>(t) / parameters_.development_steps : 1);
+    }
     // All cells read the morphogens of the update before.
     const int cells = activations.cells();
     for (int i = 0; i < cells; ++i)

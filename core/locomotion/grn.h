@@ -6,25 +6,33 @@
 
 #include "locomotion/gait.h"
 
+#include <optional>
 #include <vector>
 
 namespace planula {
 
-/// X, Y and the maternal morphogens stay as at the end of development and time stays 1; the cell morphogen is
-/// live.
+/// The cell morphogen is live. X, Y and the maternal morphogens are those of the cell's place at the end of
+/// development, or of its present one (gait_place); time stays 1, or goes on rising (gait_time). A present place is
+/// that of the knot before, in the development frame moved to where the body rests.
 class GrnMuscles : public Gait {
   public:
     GrnMuscles(const Network &network, const Body &body, const Tissue &tissue, const Parameters &parameters);
+    bool senses() const override { return parameters_.gait_place == GaitPlace::present; }
+    void sense(std::span<const Vec2d> places) override;
     void signals(int t, std::span<double> signal) override;
     double activity() const override;
     bool is_sound() const override { return sound_; }
 
   private:
-    void update();
+    bool inputs_change() const { return senses() || parameters_.gait_time == GaitTime::rising; }
+    void read_inputs(double time);
+    void update(int t);
 
     const Network &network_;
     const Parameters &parameters_;
     Neighbours neighbours_;
+    std::vector<Vec2d> places_;      // of the cells, as their networks read them
+    std::optional<Vec2d> to_embryo_; // from the world frame, once a place was sensed
     Tissue tissue_;
     std::vector<double> previous_, newest_; // spring output s of each cell, before and after the last update
     int updates_ = 0;

@@ -25,16 +25,16 @@ Outcome settle(const Parameters &p, Engine &engine, int &steps) {
 /// The cells' muscles at knots, handed to the engine one knot ahead.
 class Muscles {
   public:
-    Muscles(const Parameters &parameters, double range, int cells, Gait &gait)
+    Muscles(const Parameters &parameters, double range, int cells, Gait &gait, const Engine &engine)
         : parameters_(parameters), range_(range), gait_(gait), from_(cells), to_(cells), now_(cells),
           elongations_(cells), changes_(cells) {
-        gait.signals(0, to_);
+        read(0, engine);
     }
 
-    /// On the way to the knot at t.
+    /// On the way to the knot at t, for which the gait senses where the cells are now.
     void reach(int t, int steps, Engine &engine) {
         from_.swap(to_);
-        gait_.signals(t, to_);
+        read(t, engine);
         const double share = ramp(t, parameters_);
         for (std::size_t i = 0; i < to_.size(); ++i) {
             elongations_[i] = elongation(range_, share, to_[i]);
@@ -51,6 +51,11 @@ class Muscles {
     }
 
   private:
+    void read(int t, const Engine &engine) {
+        if (gait_.senses()) gait_.sense(engine.positions());
+        gait_.signals(t, to_);
+    }
+
     const Parameters &parameters_;
     double range_;
     Gait &gait_;
@@ -72,7 +77,7 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
     trial.path.push_back(trial.rest);
 
     // Step n uses the rest lengths of t = n + 1: exact at knots, linear between them. At t = 0 the ramp is 0.
-    Muscles muscles(p, actuation_range, model.nodes(), gait);
+    Muscles muscles(p, actuation_range, model.nodes(), gait, engine);
     const int last_quarter = 3 * p.locomotion_steps / 4 / p.knot_interval * p.knot_interval;
     double before = 0; // change of signals before it
     if (watch) watch(0, engine.positions(), muscles.signals(1));

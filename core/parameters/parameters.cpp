@@ -14,6 +14,33 @@ namespace planula {
 
 namespace {
 
+/// The words of a list that commas separate.
+std::vector<std::string_view> words_of(std::string_view list) {
+    std::vector<std::string_view> words;
+    while (!list.empty()) {
+        const std::size_t comma = std::min(list.find(','), list.size());
+        words.push_back(list.substr(0, comma));
+        list.remove_prefix(std::min(list.find_first_not_of(", ", comma), list.size()));
+    }
+    return words;
+}
+
+ParameterRow choice_row(std::string_view section, std::string_view name, int standard,
+                        std::string_view origin, std::string_view meaning, std::string_view alternatives) {
+    ParameterRow row{section,
+                     name,
+                     "1",
+                     origin,
+                     meaning,
+                     true,
+                     static_cast<double>(standard),
+                     0,
+                     0,
+                     words_of(alternatives)};
+    row.highest = static_cast<double>(row.names.size() - 1);
+    return row;
+}
+
 std::vector<ParameterRow> make_rows() {
     std::vector<ParameterRow> rows;
     std::string_view section;
@@ -21,6 +48,8 @@ std::vector<ParameterRow> make_rows() {
 #define PARAMETER(type, name, value, lowest, highest, unit, origin, meaning)                                 \
     rows.push_back(                                                                                          \
         {section, #name, unit, origin, meaning, std::is_same_v<type, int>, value, lowest, highest});
+#define CHOICE(type, name, value, origin, meaning, ...)                                                      \
+    rows.push_back(choice_row(section, #name, static_cast<int>(type::value), origin, meaning, #__VA_ARGS__));
 #include "parameters/parameters.inl"
     return rows;
 }
@@ -30,6 +59,7 @@ template <class P, class Use> void with_field(P &parameters, std::string_view na
 #define SECTION(title)
 #define PARAMETER(type, field, ...)                                                                          \
     if (name == #field) return use(parameters.field);
+#define CHOICE(type, field, ...) PARAMETER(type, field)
 #include "parameters/parameters.inl"
 }
 
@@ -57,8 +87,27 @@ const ParameterRow &parameter_row(std::string_view name) {
 
 double parameter(const Parameters &parameters, std::string_view name) {
     double value = 0;
-    with_field(parameters, parameter_row(name).name, [&](auto field) { value = field; });
+    with_field(parameters, parameter_row(name).name, [&](auto field) { value = static_cast<double>(field); });
     return value;
+}
+
+std::string value_text(const ParameterRow &row, double value) {
+    return row.is_choice() ? std::string(row.names.at(static_cast<std::size_t>(value))) : to_text(value);
+}
+
+double value_of(const ParameterRow &row, std::string_view word) {
+    const auto name = std::find(row.names.begin(), row.names.end(), word);
+    if (name != row.names.end()) return static_cast<double>(name - row.names.begin());
+    const std::optional<double> number = row.is_choice() ? std::nullopt : parse_double(word);
+    if (number) return *number;
+    const std::string said = std::string(row.name) + " = " + std::string(word);
+    if (!row.is_choice()) throw InputError(said + " must be a number");
+    std::string known;
+    for (const std::string_view each : row.names)
+        known.append(known.empty() ? "'" : ", '").append(each).append("'");
+    const std::string nearest = nearest_name(word, row.names);
+    throw InputError(said + " must be one of " + known +
+                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 void set_parameter(Parameters &parameters, std::string_view name, double value) {

@@ -6,12 +6,19 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace planula {
+
+#define SECTION(title)
+#define PARAMETER(...)
+#define CHOICE(type, name, value, origin, meaning, ...) enum class type { __VA_ARGS__ };
+#include "parameters/parameters.inl"
 
 struct Parameters {
 #define SECTION(title)
 #define PARAMETER(type, name, value, lowest, highest, unit, origin, meaning) type name = value;
+#define CHOICE(type, name, value, origin, meaning, ...) type name = type::value;
 #include "parameters/parameters.inl"
 };
 
@@ -20,6 +27,9 @@ struct ParameterRow {
     std::string_view section, name, unit, origin, meaning;
     bool whole; // an integer
     double standard, lowest, highest;
+    std::vector<std::string_view> names = {}; // of a choice, whose value is an index into them; else none
+
+    bool is_choice() const { return !names.empty(); }
 };
 
 /// All rows in the order of parameters.inl.
@@ -30,6 +40,12 @@ const ParameterRow &parameter_row(std::string_view name);
 
 /// The value of a parameter by name. Throws InputError, with the nearest name, if there is none.
 double parameter(const Parameters &parameters, std::string_view name);
+
+/// A value as people write it: the name of a choice, or the shortest number that reads back equal.
+std::string value_text(const ParameterRow &row, double value);
+
+/// The value that a word states, as value_text() writes it. Throws InputError that states the rule if it states none.
+double value_of(const ParameterRow &row, std::string_view word);
 
 /// Changes one parameter. Throws InputError that states the rule, the value and the nearest name if the name
 /// is unknown, the value is outside its range or not finite, or a whole number is asked for and not given.

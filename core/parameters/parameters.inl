@@ -3,6 +3,10 @@
 //
 //   SECTION(title)
 //   PARAMETER(type, name, default, lowest, highest, unit, origin, meaning)
+//   CHOICE(type, name, default, origin, meaning, alternatives…)
+//
+// A choice is one of several rules, by name: how a sentence of the paper that says too little is read. Its page of
+// paper/decisions/ quotes the sentence and gives the reason.
 //
 // Units: cell = one cell diameter; mass = one cell; t.u. = time unit = 100 steps; step = one physics step.
 // Origin: a section or equation of Joachimczak, Suzuki & Arita (2015); "MN" = the default configuration of
@@ -20,6 +24,9 @@ PARAMETER(double, tissue_damping, 10, 0, 50, "mass/t.u.", "ours", "damping along
 PARAMETER(double, tissue_viscosity, 10, 0, 90, "mass/t.u.", "ours", "drag of the fluid that the embryo lies in")
 PARAMETER(double, time_step, 0.01, 1e-5, 0.1, "t.u.", "ours", "length of a physics step, in development and locomotion")
 PARAMETER(double, cell_speed_limit, 0.5, 0.01, 10, "cell/step", "ours", "speed of an embryo's cell is clamped to this")
+CHOICE(DivisionTurn, division_turn, both, "ours", "which cells take the direction of a division as their orientation", nobody, daughter, both)
+CHOICE(OrientationFrame, orientation_frame, plane, "ours", "what an orientation keeps between divisions: its direction in the plane, or in the tissue around the cell", plane, tissue)
+PARAMETER(double, division_angle_range, 1, 0, 1, "half turn", "ours", "largest angle between a division and the mean orientation of the neighbours")
 PARAMETER(double, division_clearance, 0.45, 0, 1, "cell", "ours", "a daughter needs this distance to every centre but her mother's")
 PARAMETER(double, division_jitter, 1e-3, 0, 0.1, "cell", "ours", "largest fixed offset of a daughter, which breaks exact collinearity")
 PARAMETER(int, cell_limit, 256, 2, 100000, "cells", "§2.4", "an embryo that reaches this size even once is stillborn")
@@ -62,6 +69,8 @@ PARAMETER(int, knot_interval, 10, 1, 10000, "step", "ours", "rest lengths are ex
 PARAMETER(double, period_shortest, 100, 2, 1e6, "step", "ours", "oscillator period at network output -1")
 PARAMETER(double, period_longest, 400, 2, 1e6, "step", "ours", "oscillator period at network output +1")
 PARAMETER(int, update_interval, 50, 1, 100000, "step", "§2.6.2", "steps between two network updates during locomotion")
+CHOICE(GaitTime, gait_time, held, "ours", "the time input of the networks in locomotion: held at 1, or rising as in development", held, rising)
+CHOICE(GaitPlace, gait_place, grown, "ours", "the place inputs of the networks in locomotion: where the cell was at the end of development, or where it is now", grown, present)
 PARAMETER(int, path_interval, 100, 1, 1000000, "step", "ours", "the path of the centre of mass is recorded this often")
 
 SECTION("Judgement")
@@ -98,6 +107,7 @@ PARAMETER(double, remove_link_rate, 0.01, 0, 1, "1", "MN", "weight of the operat
 PARAMETER(double, mutate_weights_rate, 0.75, 0, 1, "1", "MN", "weight of the operator that changes the weights")
 PARAMETER(double, weight_severe_rate, 0.25, 0, 1, "1", "MN", "probability that a weight mutation replaces all weights")
 PARAMETER(double, weight_power, 1.0, 0, 1000, "1", "MN", "scale of the change of a weight")
+PARAMETER(double, start_weight, 1.0, 0, 1000, "1", "MN", "scale of the weights of generation 0")
 PARAMETER(double, weight_replacement, 1.0, 0, 1000, "1", "MN", "scale of a new weight")
 PARAMETER(double, weight_limit, 8, 0, 1e6, "1", "MN", "weights are clamped to this magnitude")
 PARAMETER(double, recurrent_rate, 0.25, 0, 1, "1", "MN", "share of added links that are recurrent, where recurrence is allowed")
@@ -110,6 +120,7 @@ PARAMETER(int, clone_tries, 40, 1, 1000000, "draws", "MN", "draws for a child th
 PARAMETER(double, clone_distance, 1e-5, 0, 1, "1", "MN", "genomes nearer than this are identical")
 
 SECTION("Novelty search")
+CHOICE(NoveltySpecies, novelty_species, equal, "ours", "what offspring are shared out by in novelty search: novelty alone, or with the factors of young and stagnating species", equal, aged)
 PARAMETER(int, novelty_neighbours, 15, 1, 100000, "individuals", "§2.7.2", "k of Eq. 7: nearest neighbours that novelty is measured by")
 PARAMETER(double, archive_threshold, 0.5, 0, 1e6, "cell", "MN", "novelty above which an individual enters the archive, at the start")
 PARAMETER(double, archive_floor, 0.05, 0, 1e6, "cell", "MN", "the archive's threshold never falls below this")
@@ -131,3 +142,4 @@ PARAMETER(int, witness_nudges, 4, 1, 1000, "lives", "ours", "so many different n
 
 #undef SECTION
 #undef PARAMETER
+#undef CHOICE

@@ -26,7 +26,7 @@ END_TABLE
 
 TABLE(OverrideRow, "overrides.csv")
 COLUMN(std::string, parameter, "", "a parameter that the command line which began the run set beside the script")
-COLUMN(double, value, "as the parameter", "its value")
+COLUMN(std::string, value, "as the parameter", "its value")
 END_TABLE
 
 TABLE(ChainRow, "chain.csv")
@@ -393,8 +393,8 @@ END_TABLE
 TABLE(LedgerRow, "parameters.csv")
 COLUMN(std::string, section, "", "part of the model")
 COLUMN(std::string, name, "", "name of the parameter")
-COLUMN(Maybe, value, "as its unit", "value in this experiment; empty where its settings differ")
-COLUMN(double, standard, "as its unit", "value in the replication of the paper")
+COLUMN(std::string, value, "as its unit", "value in this experiment, a choice by its name; empty where its settings differ")
+COLUMN(std::string, standard, "as its unit", "value in the replication of the paper")
 COLUMN(std::string, unit, "", "unit of the values")
 COLUMN(std::string, origin, "", "where the standard value comes from: the paper's section or equation, MN (MultiNEAT), ours")
 COLUMN(std::string, meaning, "", "what the parameter does")

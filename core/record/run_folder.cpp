@@ -117,7 +117,8 @@ void begin_folder(const std::filesystem::path &folder, const RunRecord &run, con
         write_file(scripts / file.path, file.text);
     }
     std::vector<OverrideRow> rows;
-    for (const auto &[name, value] : sources.overrides) rows.push_back({name, value});
+    for (const auto &[name, value] : sources.overrides)
+        rows.push_back({name, value_text(parameter_row(name), value)});
     write_table<OverrideRow>(scripts, rows);
     write_identity(folder, run, sources);
 }

@@ -125,6 +125,8 @@ catches sources.sh 'blank at the end' core/physics/step.h 'int x; '
 catches sources.sh 'unfinished work' core/physics/step.h '// TO''DO later'
 catches sources.sh 'no page of paper/decisions names' core/parameters/parameters.inl \
     '// SPDX-License-Identifier: MIT\nPARAMETER(double, ether, 1, 0, 2, "1", "ours", "unexplained")'
+catches sources.sh 'no page of paper/decisions names' core/parameters/parameters.inl \
+    '// SPDX-License-Identifier: MIT\nCHOICE(Ether, ether, still, "ours", "unexplained", still, moving)'
 
 if ((failed)); then
     echo "lint_test: $failed of $checked plants slip through"

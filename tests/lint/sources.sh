@@ -49,10 +49,10 @@ found 'a blank at the end of the line' < <(search '[ 	]+$')
 found 'a mark of unfinished work' < <(search '(^|[^A-Za-z])(TO''DO|FIX''ME|XX''X|HA''CK)([^A-Za-z]|$)')
 
 # A parameter that nothing public gives has a page that says why.
-ours=$(sed -nE 's/^PARAMETER\([a-z]+, ([a-z0-9_]+),.*, "ours", .*/\1/p' core/parameters/parameters.inl 2> /dev/null || true)
+ours=$(sed -nE 's/^(PARAMETER|CHOICE)\([A-Za-z]+, ([a-z0-9_]+),.*, "ours", .*/\2/p' core/parameters/parameters.inl 2> /dev/null || true)
 found 'a parameter of ours that no page of paper/decisions names' < <(
     for name in $ours; do
-        grep -qF "\`$name\`" paper/decisions/*.md || grep -n "PARAMETER([a-z]*, $name," /dev/null core/parameters/parameters.inl
+        grep -qF "\`$name\`" paper/decisions/*.md || grep -nE "^(PARAMETER|CHOICE)\([A-Za-z]+, $name," /dev/null core/parameters/parameters.inl
     done
 )
 

@@ -211,6 +211,15 @@ BOOST_AUTO_TEST_CASE(whatever_decides_a_life_makes_another_run_which_is_refused_
                added.err);
 }
 
+BOOST_AUTO_TEST_CASE(a_choice_from_the_command_line_is_kept_by_name_and_read_back) {
+    const Workplace place;
+    BOOST_REQUIRE(place.run_says({"--seeds", "1", "--set", "division_turn=daughter"}).code == 0);
+    const std::string kept = test::content(place.run() / "script" / "overrides.csv");
+    BOOST_TEST(contains(kept, "division_turn,daughter"), kept);
+    const Said verified = planula_says({"verify", place.runs()});
+    BOOST_TEST(verified.code == 0, verified.err);
+}
+
 BOOST_AUTO_TEST_CASE(every_parameter_that_evolution_reads_makes_another_run_and_no_other_does) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
@@ -224,14 +233,16 @@ BOOST_AUTO_TEST_CASE(every_parameter_that_evolution_reads_makes_another_run_and_
         for (const double other :
              {value / 2, value * 2, value - 1, value + 1, value + 0.5, row.highest, row.lowest}) {
             if (said.code != 2 && said.code != 65) break;
-            const std::string word = std::string(row.name) + "=" + to_field(other);
+            if (row.is_choice() && !(other == std::trunc(other) && other >= 0 && other <= row.highest))
+                continue;
+            const std::string word = std::string(row.name) + "=" + value_text(row, other);
             if (other != value) said = place.run_says({"--seeds", "1", "--set", word});
         }
         const bool decides = row.section != "Statistics" && row.name != "seeds" && row.name != "generations";
         deciding += decides;
         BOOST_TEST(said.code == (decides ? 73 : 0), row.name << ": " << said.err);
-        const std::string named =
-            "parameter " + std::string(row.name) + ": recorded with " + to_field(value) + ", asked for with ";
+        const std::string named = "parameter " + std::string(row.name) + ": recorded with " +
+                                  value_text(row, value) + ", asked for with ";
         BOOST_TEST(contains(said.err, named) == decides, row.name << ": " << said.err);
         BOOST_TEST((all_files(place.runs()) == before), row.name);
     }

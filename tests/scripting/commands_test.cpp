@@ -42,6 +42,7 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
         BOOST_TEST(contains(said.err, part), said.err);
     };
     refused({"--set", "populaton=5"}, "did you mean 'population'?");
+    refused({"--set", "gait_time=hold"}, "must be one of 'held', 'rising'; did you mean 'held'?");
     refused({"--set", "population"}, "--set takes name=value, not 'population'");
     refused({"--set", "population=x"}, "--set population takes a number, not 'x'");
     refused({"--generations", "0"}, "generations = 0 is outside");
@@ -72,6 +73,8 @@ BOOST_AUTO_TEST_CASE(check_and_describe_tell_what_is_there) {
     const Said describe = planula_says({"describe", place.script(), "--set", "gravity=2"});
     BOOST_TEST(describe.code == 0);
     BOOST_TEST(contains(describe.out, "population = 6 genomes (standard 300, §2.7.2)"), describe.out);
+    const Said choice = planula_says({"describe", place.script(), "--set", "gait_time=rising"});
+    BOOST_TEST(contains(choice.out, "\n  gait_time = rising (standard held, ours): "), choice.out);
     BOOST_TEST(contains(describe.out, "gravity = 2 cell/t.u.² (standard 5, ours)"), describe.out);
 }
 

@@ -54,6 +54,7 @@ BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
 
 BOOST_AUTO_TEST_CASE(a_hook_sees_the_parameters_of_its_setting) {
     BOOST_TEST(fitness_of("parameters.cell_limit") == 256);
+    BOOST_TEST(fitness_of("parameters.gait_time == 'held' and 1 or 0") == 1);
     BOOST_TEST(fitness_of("penalty") == 1);
     Parameters parameters;
     set_parameter(parameters, "cell_limit", 99);

@@ -48,6 +48,14 @@ BOOST_AUTO_TEST_CASE(a_statement_is_completed_by_the_paper) {
     BOOST_TEST(spec.parameters.population == Parameters{}.population);
 }
 
+BOOST_AUTO_TEST_CASE(a_choice_is_stated_by_its_name_and_read_back_as_one) {
+    const char *text = "return paper.experiment { name = 'x', parameters = { division_turn = 'daughter', "
+                       "gait_time = planula.parameters.gait_time } }";
+    const Parameters p = experiment(text).settings[0].parameters;
+    BOOST_TEST((p.division_turn == DivisionTurn::daughter));
+    BOOST_TEST((p.gait_time == Parameters{}.gait_time));
+}
+
 BOOST_AUTO_TEST_CASE(a_change_of_one_drag_keeps_the_other) {
     const World world = environment_of("paper.aquatic { drag = { normal = 3 } }");
     BOOST_TEST(world.environment.drag_normal == 3);
@@ -122,6 +130,12 @@ BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_told_with_the_rule) {
     BOOST_TEST(test::contains(refused_body("parameters = { seeds = 1.5 }"), "must be a whole number"));
     BOOST_TEST(test::contains(refused_body("parameters = { seeds = 'x' }"),
                               "parameters.seeds must be a number, not a text"));
+    BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 2 }"),
+                              "test.lua:3: parameters.division_turn must be a text, not a number"));
+    BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 'non' }"),
+                              "division_turn = non must be one of 'nobody', 'daughter', 'both'"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = 'gait_time' } }"),
+                              "gait_time is a choice, not a number"));
     BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { gravity = 5 }"),
                               "gravity without ground"));
     BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = -1 } }"),

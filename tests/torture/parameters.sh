@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Does the signature see every parameter of the model? Changes one after the other in every setting of
-# experiments/signature.lua: by a tenth, by one, to twice and half of it, until the signature changes. Only seeds and
-# generations, which change no generation, and the parameters of statistics are left out.
+# experiments/signature.lua: by a tenth, by one, to twice and half of it, or to each name of a choice, until the
+# signature changes. Only seeds and generations, which change no generation, and the parameters of statistics are left
+# out.
 #
 #   parameters.sh PROGRAM [NAME…]      all parameters, unless some are named
 #
@@ -30,22 +31,29 @@ END
     "$program" signature --script "$script" --threads 1
 }
 
+# names_of NAME: the names of a choice, each on a line; nothing for a number.
+names_of() {
+    "$program" parameters | sed -nE "s/^  $1 = [a-z]+ \[([a-z |]+)\].*/\1/p" | tr -d ' ' | tr '|' '\n'
+}
+
 # seen NAME: prints how a parameter was changed when the signature changed.
 seen() {
-    local expression value refusals=0
-    for expression in '1.1 * v' '0.9 * v' 'v + 1' 'v - 1' '2 * v' 'v / 2'; do
+    local expression value refusals=0 changes
+    mapfile -t changes < <(names_of "$1" | sed "s/.*/'&'/")
+    ((${#changes[@]})) || changes=('1.1 * v' '0.9 * v' 'v + 1' 'v - 1' '2 * v' 'v / 2')
+    for expression in "${changes[@]}"; do
         # Some changes are out of a parameter's range.
         value=$(changed "$1" "$expression" 2> "$folder/$1.said") || { refusals=$((refusals + 1)); continue; }
         [[ $value != "$unchanged" ]] || continue
         echo "parameters: $1 is seen at $expression"
         return
     done
-    echo "parameters: $1 is NOT seen ($refusals of 6 changes refused)"
+    echo "parameters: $1 is NOT seen ($refusals of ${#changes[@]} changes refused)"
 }
 
 unchanged=$("$program" signature)
 export program folder unchanged
-export -f changed seen
+export -f changed names_of seen
 names=("$@")
 (($#)) || mapfile -t names < <("$program" parameters --csv |
     awk -F, 'NR > 1 && $1 != "Statistics" && $2 != "seeds" && $2 != "generations" { print $2 }')

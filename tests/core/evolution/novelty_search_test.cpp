@@ -239,8 +239,14 @@ BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_without_sharing) {
     const std::vector<double> scores{3, 3, 3, 3, 3, 3, 1, 1};
     const Parameters parameters = populations::frozen(8);
     const Population next = NoveltySearch(parameters).next(population, scores, {2, 1, false}, 4);
-    BOOST_TEST((next.genomes == reproduce(population, scores, false, false, parameters, 4).genomes));
+    BOOST_TEST(
+        (next.genomes == reproduce(population, scores, Adjustment::none, false, parameters, 4).genomes));
     BOOST_TEST(populations::sizes(next) == (std::vector<int>{7, 1}), per_element());
+    Parameters aged = parameters;
+    aged.novelty_species = NoveltySpecies::aged;
+    aged.young_boost = 1;
+    const Population with_ages = NoveltySearch(aged).next(population, scores, {2, 1, false}, 4);
+    BOOST_TEST((with_ages.genomes == reproduce(population, scores, Adjustment::age, false, aged, 4).genomes));
 }
 
 BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {

@@ -37,7 +37,8 @@ std::vector<double> scores_of(const Population &population) {
 void evolve(int generations, const NetworkShape &shape, const Parameters &parameters,
             Population &population) {
     for (int i = 0; i < generations; ++i)
-        population = reproduce(population, scores_of(population), true, shape.recurrent, parameters, seed);
+        population = reproduce(population, scores_of(population), Adjustment::sharing, shape.recurrent,
+                               parameters, seed);
 }
 
 std::string saved(const Population &population) {

@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(initial_weights_come_from_the_stream_of_their_slot) {
     for (const int slot : {0, 1, 299}) {
         Stream stream(42, 0, slot, Purpose::initial_weights);
         for (const auto &link : population.genomes[slot].links)
-            BOOST_TEST(link.weight == stream.triangular());
+            BOOST_TEST(link.weight == parameters.start_weight * stream.triangular());
     }
 }
 

@@ -27,7 +27,8 @@ std::vector<double> repeat(const std::vector<std::pair<int, double>> &runs) {
 
 Population next_of(const Population &population, const std::vector<double> &scores,
                    const Parameters &parameters, bool shared = true) {
-    return reproduce(population, scores, shared, false, parameters, 1);
+    const Adjustment adjustment = shared ? Adjustment::sharing : Adjustment::none;
+    return reproduce(population, scores, adjustment, false, parameters, 1);
 }
 
 bool has(const Population &population, int id) {
@@ -137,6 +138,17 @@ BOOST_AUTO_TEST_CASE(in_generation_zero_the_first_species_holds_the_mark) {
     BOOST_TEST(find(next, 0)->best);
     BOOST_TEST(!find(next, 1)->best);
     BOOST_TEST(next.best_ever == 2);
+}
+
+BOOST_AUTO_TEST_CASE(the_factors_of_age_go_without_division_by_size) {
+    // Six members of score 1 against two: the share is by the sum, and a young species has its boost.
+    Population population = populations::far_apart({6, 2});
+    Parameters parameters = frozen(40);
+    parameters.young_boost = 3;
+    population.species[0].age = parameters.young_age;
+    const Population next =
+        reproduce(population, std::vector<double>(8, 1), Adjustment::age, false, parameters, 1);
+    BOOST_TEST(sizes(next) == (Sizes{20, 20}), per_element());
 }
 
 BOOST_AUTO_TEST_CASE(young_species_are_boosted_and_old_ones_are_not_while_shared) {
@@ -259,16 +271,17 @@ BOOST_AUTO_TEST_CASE(every_generation_of_a_long_run_is_sound_and_repeats_bit_for
     Parameters parameters = specimens::structural();
     parameters.population = 60;
     for (const bool recurrent : {false, true})
-        for (const bool shared : {false, true}) {
+        for (const Adjustment adjustment : {Adjustment::none, Adjustment::age, Adjustment::sharing}) {
             Population population = initial_population({4, 3, recurrent}, parameters, 5);
             std::int64_t born = 60;
             for (int generation = 0; generation < 40; ++generation) {
                 std::vector<double> scores;
                 for (const auto &genome : population.genomes) // a third scores nothing
                     scores.push_back(genome.id % 3 ? static_cast<double>(genome.id * 7919 % 101) : 0);
-                const Population next = reproduce(population, scores, shared, recurrent, parameters, 5);
-                BOOST_TEST_REQUIRE((reproduce(population, scores, shared, recurrent, parameters, 5).genomes ==
-                                    next.genomes));
+                const Population next = reproduce(population, scores, adjustment, recurrent, parameters, 5);
+                BOOST_TEST_REQUIRE(
+                    (reproduce(population, scores, adjustment, recurrent, parameters, 5).genomes ==
+                     next.genomes));
                 BOOST_TEST_REQUIRE(next.generation == generation + 1);
                 BOOST_TEST_REQUIRE(next.genomes.size() == 60u);
 
@@ -306,7 +319,7 @@ BOOST_AUTO_TEST_CASE(another_seed_or_generation_draws_other_children) {
     parameters.population = 20;
     const std::vector<double> scores{4, 3, 2, 1};
     const auto children = [&](std::uint64_t seed) {
-        return reproduce(population, scores, true, false, parameters, seed).genomes;
+        return reproduce(population, scores, Adjustment::sharing, false, parameters, seed).genomes;
     };
     const auto first = children(1);
     BOOST_TEST((first != children(2)));

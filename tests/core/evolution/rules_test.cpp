@@ -34,7 +34,7 @@ Population after(const Population &population, const std::vector<double> &score_
     std::vector<double> scores(population.genomes.size());
     for (const Species &species : population.species)
         for (const int member : species.members) scores[member] = score_of[species.id];
-    return reproduce(population, scores, true, false, parameters, 1);
+    return reproduce(population, scores, Adjustment::sharing, false, parameters, 1);
 }
 
 /// Whether links can be followed for ever.
@@ -228,11 +228,11 @@ BOOST_AUTO_TEST_CASE(innovations_are_kept_for_the_whole_run) {
     splitting.add_link_rate = splitting.remove_link_rate = splitting.mutate_weights_rate = 0;
     Population population = populations::of({{1, 2}});
     const std::vector<double> scores{1, 1};
-    const Population early = reproduce(population, scores, true, false, splitting, 1);
+    const Population early = reproduce(population, scores, Adjustment::sharing, false, splitting, 1);
     const int node = early.innovations.splits(0, 2)[0];
     Population later = early;
     for (int generation = 0; generation < 5; ++generation)
-        later = reproduce(later, std::vector<double>(4, 1), true, false, frozen(4), 1);
+        later = reproduce(later, std::vector<double>(4, 1), Adjustment::sharing, false, frozen(4), 1);
     BOOST_TEST(later.innovations.splits(0, 2)[0] == node);
     Innovations record = later.innovations;
     Genome plain = population.genomes[0];
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(no_two_children_of_a_generation_are_alike) {
         std::vector<double> scores;
         for (const Genome &genome : population.genomes)
             scores.push_back(1 + static_cast<double>(genome.id % 7));
-        population = reproduce(population, scores, true, false, parameters, 3);
+        population = reproduce(population, scores, Adjustment::sharing, false, parameters, 3);
         std::vector<Genome> before;
         for (const Genome &genome : population.genomes) {
             if (genome.origin == Origin::filler) continue;
@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(feed_forward_populations_stay_without_cycles) {
             BOOST_REQUIRE(!has_cycle(genome));
             scores.push_back(static_cast<double>(genome.links.size())); // the larger the better
         }
-        population = reproduce(population, scores, true, false, parameters, 8);
+        population = reproduce(population, scores, Adjustment::sharing, false, parameters, 8);
     }
     BOOST_TEST(population.genomes[0].hidden() > 5);
 

@@ -365,10 +365,12 @@ BOOST_AUTO_TEST_CASE(dead_ends_are_what_leads_nowhere) {
 
 BOOST_AUTO_TEST_CASE(new_weights_keep_to_their_scale_and_to_the_limit) {
     Parameters parameters;
-    parameters.weight_replacement = 100;
     Stream stream = specimens::stream(8);
     std::set<double> seen;
-    for (int n = 0; n < 100; ++n) seen.insert(new_weight(parameters, stream));
+    for (int n = 0; n < 100; ++n) seen.insert(new_weight(0.5, parameters, stream));
+    BOOST_TEST(*seen.begin() >= -0.5);
+    BOOST_TEST(*seen.rbegin() <= 0.5);
+    for (int n = 0; n < 100; ++n) seen.insert(new_weight(100, parameters, stream));
     BOOST_TEST(*seen.begin() == -8);
     BOOST_TEST(*seen.rbegin() == 8);
 }

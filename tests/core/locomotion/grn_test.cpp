@@ -141,3 +141,36 @@ BOOST_AUTO_TEST_CASE(networks_at_rest_are_those_that_go_on_being_updated) {
     BOOST_TEST(resting >= 10);
     BOOST_TEST(moving >= 5);
 }
+
+BOOST_AUTO_TEST_CASE(time_and_place_are_read_anew_where_the_experiment_says_so) {
+    // The spring output is the tanh of one input.
+    const auto newest = [](input::Channel channel, const Parameters &parameters, Vec2d shift) {
+        Genome genome = bare_genome(Actuation::grn);
+        wire(genome, channel, output::spring, 1);
+        const Network network = express(genome, 16);
+        const Body body = make_body({{3, 1}, {4, 1}}, 1.5);
+        const Tissue tissue{Activations(network.nodes, 2), {0, 0}};
+        GrnMuscles gait(network, body, tissue, parameters);
+        std::vector<double> signal(2);
+        // The world's origin is elsewhere; from step 50 on the body lies further on by the shift.
+        for (int t = 0; t <= 100; t += 10) {
+            const Vec2d place = Vec2d{-7, 20} + (t < 50 ? Vec2d{} : shift);
+            if (gait.senses()) gait.sense(std::vector<Vec2d>{place, place + Vec2d{1, 0}});
+            gait.signals(t, signal);
+        }
+        return signal[0];
+    };
+    Parameters standard, rising, present;
+    standard.gait_time = GaitTime::held, standard.gait_place = GaitPlace::grown;
+    rising = present = standard;
+    rising.gait_time = GaitTime::rising;
+    present.gait_place = GaitPlace::present;
+    BOOST_TEST(newest(input::time, standard, {2, 4}) == std::tanh(1), near);
+    BOOST_TEST(newest(input::time, rising, {2, 4}) == std::tanh(1 + 50.0 / 600), near);
+    BOOST_TEST(newest(input::time, present, {2, 4}) == std::tanh(1), near);
+    BOOST_TEST(newest(input::x, standard, {2, 4}) == std::tanh(0.3), near);
+    BOOST_TEST(newest(input::x, present, {2, 4}) == std::tanh(0.5), near);
+    BOOST_TEST(newest(input::y, present, {2, 4}) == std::tanh(0.5), near);
+    const double east = std::exp(-std::hypot(5.0, 5.0) / 10);
+    BOOST_TEST(newest(input::maternal_east, present, {2, 4}) == std::tanh(east), near);
+}

@@ -83,3 +83,31 @@ BOOST_AUTO_TEST_CASE(a_wrong_name_or_value_is_refused_with_the_rule) {
     p.species_low = 20;
     BOOST_CHECK_EXCEPTION(check_consistency(p), InputError, says("species_low is at most species_high"));
 }
+
+BOOST_AUTO_TEST_CASE(a_choice_has_names_and_each_is_a_value) {
+    const ParameterRow &row = parameter_row("division_turn");
+    BOOST_TEST((row.names == std::vector<std::string_view>{"nobody", "daughter", "both"}));
+    Parameters p;
+    for (const ParameterRow &each : parameter_rows()) {
+        BOOST_TEST(each.is_choice() == (each.names.size() > 1), each.name);
+        for (const std::string_view name : each.names) {
+            const double value = value_of(each, name);
+            set_parameter(p, each.name, value);
+            BOOST_TEST(value_text(each, parameter(p, each.name)) == name);
+        }
+    }
+    set_parameter(p, "division_turn", value_of(row, "daughter"));
+    BOOST_TEST((p.division_turn == DivisionTurn::daughter));
+}
+
+BOOST_AUTO_TEST_CASE(a_word_that_states_no_value_is_refused_with_the_rule) {
+    const ParameterRow &turn = parameter_row("division_turn"), &gravity = parameter_row("gravity");
+    BOOST_TEST(value_of(gravity, "2.5") == 2.5);
+    BOOST_TEST(value_text(gravity, 2.5) == "2.5");
+    BOOST_CHECK_EXCEPTION(value_of(turn, "nobdy"), InputError,
+                          says("must be one of 'nobody', 'daughter', 'both'; did you mean 'nobody'?"));
+    BOOST_CHECK_EXCEPTION(value_of(turn, "0"), InputError, says("division_turn = 0 must be one of"));
+    BOOST_CHECK_EXCEPTION(value_of(gravity, "high"), InputError, says("gravity = high must be a number"));
+    Parameters p;
+    BOOST_CHECK_EXCEPTION(set_parameter(p, "division_turn", 3), InputError, says("outside 0"));
+}
