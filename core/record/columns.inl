@@ -286,6 +286,19 @@ COLUMN(double, low, "1", "lower end of the bootstrap interval of the mean")
 COLUMN(double, high, "1", "upper end of the bootstrap interval of the mean")
 END_TABLE
 
+TABLE(HeredityRow, "heredity.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(int, runs, "runs", "runs of the setting; the following are medians over those that have a value, and empty without any")
+COLUMN(Maybe, heredity_fitness, "1", "mother-offspring correlation of fitness, see generations.csv")
+COLUMN(Maybe, heredity_cells, "1", "mother-offspring correlation of the cells, see generations.csv")
+COLUMN(Maybe, kept_fitness, "1", "a child's fitness over its mother's, see generations.csv")
+COLUMN(Maybe, near_mother, "1", "share of the children within a tenth of their mother's fitness, see generations.csv")
+COLUMN(Maybe, cells_change, "1", "relative change of the cells from mother to child, see generations.csv")
+COLUMN(Maybe, near_best, "1", "share of the individuals above nine tenths of the generation's highest fitness")
+COLUMN(Maybe, cyclic, "1", "share of the individuals with fitness above 0 whose gait is cyclic, see generations.csv")
+END_TABLE
+
 TABLE(OutcomeRow, "outcomes.csv")
 COLUMN(std::string, setting, "", "name of the setting")
 COLUMN(int, generation, "generation", "the first or the last generation")
