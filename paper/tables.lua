@@ -15,7 +15,7 @@ local data, frames
 function tables.open(data_folder, frames_folder)
   data, frames = {}, {}
   data.manifest = csv.pairs_of(data_folder .. '/manifest.csv')
-  for _, name in ipairs { 'settings', 'runs', 'curves', 'entropy', 'outcomes', 'claims', 'parameters' } do
+  for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'claims', 'parameters' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
   -- Tables that take a command of their own; data may be without.
@@ -71,6 +71,13 @@ end
 function tables.entropy(setting)
   local rows = csv.where(data.entropy, { setting = setting })
   return #rows > 0 and typeset.interval(rows[1], 'mean') or '--'
+end
+
+-- Mother-offspring correlation of fitness in a setting's last generation, median of the runs.
+function tables.heredity(setting)
+  local rows = csv.where(data.heredity, { setting = setting })
+  local value = #rows > 0 and tonumber(rows[#rows].heredity_fitness)
+  return value and (('%.2f'):format(value):gsub('^%-', '$-$')) or '--'
 end
 
 -- Number of claims with a verdict.

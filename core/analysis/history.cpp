@@ -84,6 +84,19 @@ GenerationRow next_generation(TableReader<GenerationRow> &reader, int number, in
     return row;
 }
 
+/// What heredity.csv says of a single run.
+HeredityRow heredity_of(const GenerationRow &row) {
+    return {.generation = row.generation,
+            .runs = 1,
+            .heredity_fitness = row.heredity_fitness,
+            .heredity_cells = row.heredity_cells,
+            .kept_fitness = row.kept_fitness,
+            .near_mother = row.near_mother,
+            .cells_change = row.cells_change,
+            .near_best = row.near_best,
+            .cyclic = row.cyclic};
+}
+
 /// How a generation's fitness spreads over equal classes from 0 to its highest.
 std::vector<double> read_fitness_shares(const RecordedRun &run, int generation, int classes) {
     TableReader<FitnessClassRow> reader(run.folder);
@@ -136,6 +149,7 @@ RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int 
         history.best.push_back(row.best_fitness);
         history.best_moved.push_back({row.best_x, row.best_y});
         history.shape_diversity.push_back(row.shape_diversity);
+        history.heredity.push_back(heredity_of(row));
         if (number == 0) history.first = row;
         history.last = row;
         if (std::binary_search(marks.begin(), marks.end(), number + 1))

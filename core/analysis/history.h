@@ -33,6 +33,7 @@ struct RunHistory {
     std::vector<double> best;            // fitness of each generation's best
     std::vector<Vec2d> best_moved;       // and its displacement from rest to end
     std::vector<double> shape_diversity; // of each generation
+    std::vector<HeredityRow> heredity;   // of each generation, in this run alone
     GenerationRow first, last;
     std::map<int, RunFacts> after;      // by number of generations
     std::vector<double> fitness_shares; // of the last generation, by classes of fitness over the highest

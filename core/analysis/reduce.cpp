@@ -95,6 +95,7 @@ void write_settings(const Analysis &analysis, std::span<const SettingRuns *const
     write_each<CurveRow>(out, present, [&](const SettingRuns &s) { return curve_rows(s, analysis); });
     write_each<ShapeDiversityRow>(out, present,
                                   [&](const SettingRuns &s) { return shape_diversity_rows(s, analysis); });
+    write_each<HeredityRow>(out, present, heredity_rows);
     write_each<EntropyRow>(out, present,
                            [&](const SettingRuns &s) { return std::vector{entropy_row(s, analysis)}; });
     write_each<OutcomeRow>(out, present, outcome_rows);

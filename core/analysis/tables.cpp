@@ -8,6 +8,7 @@
 #include "statistics/bootstrap.h"
 #include "statistics/summary.h"
 
+#include <array>
 #include <functional>
 
 namespace planula {
@@ -110,6 +111,29 @@ std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &ana
 std::vector<ShapeDiversityRow> shape_diversity_rows(const SettingRuns &setting, const Analysis &analysis) {
     return mean_over_runs<ShapeDiversityRow>(setting, analysis, "shape diversity",
                                              &RunHistory::shape_diversity);
+}
+
+std::vector<HeredityRow> heredity_rows(const SettingRuns &setting) {
+    constexpr std::array measures{&HeredityRow::heredity_fitness,
+                                  &HeredityRow::heredity_cells,
+                                  &HeredityRow::kept_fitness,
+                                  &HeredityRow::near_mother,
+                                  &HeredityRow::cells_change,
+                                  &HeredityRow::near_best,
+                                  &HeredityRow::cyclic};
+    std::vector<HeredityRow> rows;
+    for (int generation = 0; generation < setting.generations; ++generation) {
+        HeredityRow row{.setting = setting.spec->name, .generation = generation, .runs = count_of(setting)};
+        for (Maybe HeredityRow::*const measure : measures) {
+            std::vector<double> known;
+            for (const RunHistory &history : setting.histories)
+                if (const Maybe &value = history.heredity[static_cast<std::size_t>(generation)].*measure)
+                    known.push_back(*value);
+            if (!known.empty()) row.*measure = median(known);
+        }
+        rows.push_back(row);
+    }
+    return rows;
 }
 
 EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis) {

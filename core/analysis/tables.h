@@ -14,6 +14,8 @@ SettingRow setting_row(const SettingRuns &setting);
 std::vector<RunRow> run_rows(const SettingRuns &setting);
 std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &analysis);
 std::vector<ShapeDiversityRow> shape_diversity_rows(const SettingRuns &setting, const Analysis &analysis);
+/// Medians over the runs that have a value.
+std::vector<HeredityRow> heredity_rows(const SettingRuns &setting);
 EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis);
 std::vector<OutcomeRow> outcome_rows(const SettingRuns &setting);
 std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting);

@@ -88,8 +88,8 @@ std::span<const ArchiveEntry> added_in(int generation, std::span<const ArchiveEn
 } // namespace
 
 void digest(Hash &hash, const Generation &generation) {
-    const auto &[number, population, lives, evaluations, scores, search, best, known] = generation;
-    static_cast<void>(known);
+    const auto &[number, population, lives, evaluations, scores, search, mothers, best, known] = generation;
+    static_cast<void>(mothers), static_cast<void>(known);
     const auto archive = search.archive();
     Feeder(hash).all(number, population, lives, evaluations, scores, best, search.archive_threshold(),
                      static_cast<std::int64_t>(archive.size()), added_in(number, archive));

@@ -11,8 +11,8 @@
 namespace planula {
 
 /// Feeds a finished generation into a hash. Of the archive, which only grows, come those entries that this
-/// generation added, and the number of all. What follows from the fields fed, or is no result
-/// (Generation::known), is left out.
+/// generation added, and the number of all. What follows from the fields fed, of this generation or
+/// those before (Generation::mothers), or is no result (Generation::known), is left out.
 void digest(Hash &hash, const Generation &generation);
 
 } // namespace planula

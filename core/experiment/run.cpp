@@ -18,7 +18,7 @@ int fittest(const std::vector<Evaluation> &evaluations) {
 } // namespace
 
 RunState begin(const Spec &spec, std::uint64_t seed, const Workers &workers, const StopRequest &stop) {
-    return {first_population(spec, seed, workers, stop), make_search(spec.search, spec.parameters)};
+    return {first_population(spec, seed, workers, stop), make_search(spec.search, spec.parameters), {}};
 }
 
 void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState &state,
@@ -33,10 +33,12 @@ void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState 
         const std::vector<Life> lives = live_all(population, living, workers, stop);
         const std::vector<Evaluation> evaluations = judge_all(spec.judge, lives);
         const std::vector<double> scores = state.search->score(population, evaluations);
-        observe({population.generation, population, lives, evaluations, scores, *state.search,
+        observe({population.generation, population, lives, evaluations, scores, *state.search, state.mothers,
                  fittest(evaluations), memo.known()});
         if (population.generation + 1 >= p.generations) return;
+        state.mothers.add(population, lives, evaluations);
         population = state.search->next(population, scores, shape, seed);
+        state.mothers.keep(population, state.search->kept_genomes());
         between(state);
     }
 }

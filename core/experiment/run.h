@@ -7,6 +7,7 @@
 #include "evaluation/memo.h"
 #include "evolution/search.h"
 #include "experiment/lives.h"
+#include "experiment/mothers.h"
 
 #include <cstdint>
 #include <functional>
@@ -23,17 +24,20 @@ struct Generation {
     std::span<const Evaluation> evaluations;
     std::span<const double> scores;
     const Search &search;
+    /// Of this population.
+    const Mothers &mothers;
     /// Slot of the highest fitness; the lowest slot of equals.
     int best;
     /// How many of the lives were known from the generation before, in this process; no result.
     Known known;
 };
 
-/// Where a run stands between two generations: the population to live next, and the search as the generations
-/// before left it.
+/// Where a run stands between two generations: the population to live next, the search as the generations before left
+/// it, and what the mothers of this population, and whoever may be one later, did.
 struct RunState {
     Population population;
     std::unique_ptr<Search> search;
+    Mothers mothers;
 };
 
 using Observer = std::function<void(const Generation &)>;

@@ -63,6 +63,15 @@ COLUMN(int, never_settled, "individuals", "individuals that did not come to rest
 COLUMN(int, exploded, "individuals", "individuals with a speed beyond the guard or a number that is not finite")
 COLUMN(int, overborn, "individuals", "individuals that reached the birth limit, whatever became of them")
 COLUMN(double, shape_diversity, "1", "mean morphological distance over all pairs of viable individuals, in mean distances between two cells: D2 shape distributions of Osada et al. 2002, core/body/shape.h; 0 with fewer than two")
+COLUMN(int, children, "individuals", "individuals that mutation or crossover made and whose mother has fitness above 0; unchanged copies do not count")
+COLUMN(int, pairs, "pairs", "pairs of a mother and a child: those of the children whose own fitness is above 0")
+COLUMN(Maybe, heredity_fitness, "1", "mother-offspring correlation of fitness, Eq. 4: Spearman's rank correlation over the pairs; empty with fewer than 3, or if all mothers or all children are equal")
+COLUMN(Maybe, heredity_cells, "1", "mother-offspring correlation of the cells at the end of development, in the same way")
+COLUMN(Maybe, kept_fitness, "1", "median over the children of the fitness over the mother's, which is 0 of a child without fitness; empty with fewer than 3 children")
+COLUMN(Maybe, near_mother, "1", "share of the children whose fitness differs from the mother's by at most a tenth of hers; empty with fewer than 3 children")
+COLUMN(Maybe, cells_change, "1", "median over the pairs of the difference of cells, without its sign, over the mother's; empty with fewer than 3 pairs")
+COLUMN(double, near_best, "1", "share of all individuals whose fitness is above nine tenths of the generation's highest; 0 if that is 0")
+COLUMN(Maybe, cyclic, "1", "share with a cyclic gait of the individuals with fitness above 0: in the last quarter of locomotion there are at least a tenth of the distance and a tenth of the changes of muscle signals; empty without any")
 END_TABLE
 
 TABLE(SizeRow, "sizes.csv.gz")
@@ -275,6 +284,19 @@ COLUMN(int, runs, "runs", "runs averaged")
 COLUMN(double, mean, "1", "mean morphological distance of the generation's viable individuals, see generations.csv; mean over runs")
 COLUMN(double, low, "1", "lower end of the bootstrap interval of the mean")
 COLUMN(double, high, "1", "upper end of the bootstrap interval of the mean")
+END_TABLE
+
+TABLE(HeredityRow, "heredity.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, generation, "generation", "number of the generation, from 0")
+COLUMN(int, runs, "runs", "runs of the setting; the following are medians over those that have a value, and empty without any")
+COLUMN(Maybe, heredity_fitness, "1", "mother-offspring correlation of fitness, see generations.csv")
+COLUMN(Maybe, heredity_cells, "1", "mother-offspring correlation of the cells, see generations.csv")
+COLUMN(Maybe, kept_fitness, "1", "a child's fitness over its mother's, see generations.csv")
+COLUMN(Maybe, near_mother, "1", "share of the children within a tenth of their mother's fitness, see generations.csv")
+COLUMN(Maybe, cells_change, "1", "relative change of the cells from mother to child, see generations.csv")
+COLUMN(Maybe, near_best, "1", "share of the individuals above nine tenths of the generation's highest fitness")
+COLUMN(Maybe, cyclic, "1", "share of the individuals with fitness above 0 whose gait is cyclic, see generations.csv")
 END_TABLE
 
 TABLE(OutcomeRow, "outcomes.csv")

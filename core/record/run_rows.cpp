@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/run_rows.h"
 
+#include "record/heredity.h"
 #include "statistics/summary.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace planula {
 namespace {
 
 constexpr int fitness_classes = 100;
+constexpr double near_best = 0.9;   // of the highest fitness
+constexpr double cyclic_late = 0.1; // of distance and of muscle signals, in the last quarter of a cyclic gait
 
 /// The part of the displacement that the last quarter of locomotion made.
 double late_share(const Life &life, const Parameters &parameters) {
@@ -61,6 +64,25 @@ void add_fitness(const Generation &g, GenerationRow &row) {
     row.fitness_high = quantile(valid, 0.75);
 }
 
+/// How many are nearly as fit as the best.
+void add_near_best(const Generation &g, GenerationRow &row) {
+    const double bound = near_best * row.best_fitness;
+    for (const Evaluation &evaluation : g.evaluations) row.near_best += evaluation.fitness > bound;
+    row.near_best /= static_cast<double>(g.evaluations.size());
+}
+
+/// How many of those with fitness move to the end.
+void add_cyclic(const Generation &g, const Parameters &parameters, GenerationRow &row) {
+    int cyclic = 0, all = 0;
+    for (std::size_t slot = 0; slot < g.lives.size(); ++slot) {
+        if (g.evaluations[slot].fitness <= 0) continue;
+        const Life &life = g.lives[slot];
+        cyclic += std::min(late_share(life, parameters), life.late_actuation) >= cyclic_late;
+        ++all;
+    }
+    if (all > 0) row.cyclic = static_cast<double>(cyclic) / all;
+}
+
 /// Where the individuals went.
 void add_headings(const Generation &g, GenerationRow &row) {
     for (const Life &life : g.lives) {
@@ -75,7 +97,7 @@ void add_headings(const Generation &g, GenerationRow &row) {
 
 } // namespace
 
-GenerationRow generation_row(const Generation &g, int birth_limit) {
+GenerationRow generation_row(const Generation &g, const Parameters &parameters) {
     GenerationRow row;
     row.generation = g.number;
     row.best_slot = g.best;
@@ -89,6 +111,9 @@ GenerationRow generation_row(const Generation &g, int birth_limit) {
     row.best_x = best.x, row.best_y = best.y;
     add_fitness(g, row);
     add_headings(g, row);
+    add_near_best(g, row);
+    add_cyclic(g, parameters, row);
+    add_heredity(g, row);
 
     // Means are sums in slot order over the population's size.
     for (const Genome &genome : g.population.genomes) {
@@ -99,7 +124,7 @@ GenerationRow generation_row(const Generation &g, int birth_limit) {
         *mean /= static_cast<double>(g.lives.size());
     std::vector<ShapeDistribution> shapes;
     for (const Life &life : g.lives) {
-        count(life, birth_limit, row);
+        count(life, parameters.birth_limit, row);
         if (life.outcome == Outcome::viable) shapes.push_back(life.shape);
     }
     row.shape_diversity = shape_diversity(shapes);

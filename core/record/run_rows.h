@@ -10,8 +10,7 @@
 
 namespace planula {
 
-/// `birth_limit`: cells created from which on an individual counts as overborn.
-GenerationRow generation_row(const Generation &generation, int birth_limit);
+GenerationRow generation_row(const Generation &generation, const Parameters &parameters);
 /// How many individuals with fitness there are of each size, by ascending size.
 std::vector<SizeRow> size_rows(const Generation &generation);
 /// How many individuals there are in each hundredth of the generation's highest fitness, by ascending class.

@@ -78,7 +78,7 @@ RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t
         const auto at = std::find(run_tables.begin(), run_tables.end(), file) - run_tables.begin();
         return texts.at(static_cast<std::size_t>(at));
     };
-    text(GenerationRow::file_name) = line_of(generation_row(generation, spec.parameters.birth_limit));
+    text(GenerationRow::file_name) = line_of(generation_row(generation, spec.parameters));
     text(SizeRow::file_name) = lines_of(size_rows(generation));
     text(FitnessClassRow::file_name) = lines_of(fitness_class_rows(generation));
     text(IndividualRow::file_name) = individual_lines(generation, spec, seed);

@@ -44,9 +44,11 @@ generation_tics(last) = last < 20 ? ceil(last / 5.0) : \
                         (last / decade(last) < 2 ? 0.25 : last / decade(last) < 5 ? 0.5 : 1) * decade(last)
 
 max(a, b) = a > b ? a : b
+min(a, b) = a < b ? a : b
 
 # What `stats … name 'END'` found; where a table has no fitting row it leaves its variables undefined.
 found(otherwise) = exists('END_records') ? END_records : otherwise
 largest(otherwise) = exists('END_max') ? END_max : otherwise
+lowest(otherwise) = exists('END_min') ? END_min : otherwise
 # A point that nobody sees, for panels whose tables may have no fitting row; gnuplot draws no axes around nothing.
 unseen = "'+' using (0):(0) every ::0::0 with points pointsize 0 notitle"

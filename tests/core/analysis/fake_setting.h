@@ -55,6 +55,7 @@ inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &val
         history.seed = run.seed;
         history.best.assign(static_cast<std::size_t>(run.generations), values[i]);
         history.shape_diversity = history.best;
+        history.heredity.assign(history.best.size(), {.heredity_fitness = values[i], .near_best = values[i]});
         for (int after = 1; after <= run.generations; ++after) {
             RunFacts &facts = history.after[after];
             facts.champion.fitness = facts.size_entropy = facts.fitness_spread = values[i];

@@ -67,6 +67,22 @@ BOOST_AUTO_TEST_CASE(facts_are_what_a_pencil_finds) {
     BOOST_TEST(late.viable == 16);
 }
 
+BOOST_AUTO_TEST_CASE(heredity_is_that_of_every_generation) {
+    const TemporaryFolder folder;
+    const RecordedRun run = recorded(folder);
+    const RunHistory history = history_of(run, {4});
+    const auto rows = read_table<GenerationRow>(run.folder);
+    BOOST_REQUIRE(history.heredity.size() == 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        BOOST_TEST(history.heredity[i].generation == static_cast<int>(i));
+        BOOST_TEST(history.heredity[i].near_best.value() == rows[i].near_best);
+        BOOST_TEST(history.heredity[i].cyclic.value() == 1);
+        BOOST_TEST(!history.heredity[i].heredity_fitness.has_value());
+    }
+    // Of 0, 4, 6, 8, 10 one is above 9.
+    BOOST_TEST(history.heredity[3].near_best.value() == 0.2);
+}
+
 BOOST_AUTO_TEST_CASE(all_in_one_direction_have_the_resultant_one) {
     const TemporaryFolder folder;
     const RunHistory history = history_of(recorded(folder, 1), {1});

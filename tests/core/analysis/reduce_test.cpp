@@ -15,7 +15,8 @@ namespace {
 const std::vector<std::string> tables{
     "manifest.csv", "settings.csv",       "runs.csv",     "curves.csv",         "endpoints.csv",
     "entropy.csv",  "endpoint_paths.csv", "outcomes.csv", "fitness_shares.csv", "best_genomes.csv",
-    "archives.csv", "claims.csv",         "columns.csv",  "parameters.csv",     "shape_diversity.csv"};
+    "archives.csv", "claims.csv",         "columns.csv",  "parameters.csv",     "shape_diversity.csv",
+    "heredity.csv"};
 
 std::vector<Spec> three_settings() {
     return {fake_spec("ns", 12, 10, "novelty"), fake_spec("neat", 12, 10), fake_spec("other", 12, 10)};
@@ -86,6 +87,7 @@ BOOST_AUTO_TEST_CASE(a_setting_without_runs_has_no_rows) {
     BOOST_TEST(settings.at(0).runs == 3);
     BOOST_TEST(read_table<RunRow>(folder / "data").size() == 6u);
     BOOST_TEST(read_table<CurveRow>(folder / "data").size() == 24u);
+    BOOST_TEST(read_table<HeredityRow>(folder / "data").size() == 24u);
     BOOST_TEST(read_table<EndpointPathRow>(folder / "data").size() == 48u);
     BOOST_TEST(read_table<FitnessShareRow>(folder / "data").size() == 40u);
     BOOST_TEST(read_table<ArchivePointRow>(folder / "data").size() == 12u);

@@ -106,6 +106,21 @@ BOOST_AUTO_TEST_CASE(shape_diversity_has_a_curve_and_both_its_ends_in_every_run)
     BOOST_TEST(runs[0].shape_diversity_last == 0.75);
 }
 
+BOOST_AUTO_TEST_CASE(heredity_is_the_median_of_the_runs_that_have_a_value) {
+    const Spec spec = fake_spec("ns", 3, 5);
+    SettingRuns setting = fake_setting(spec, {1, 2, 6});
+    setting.histories[2].heredity[1].heredity_fitness.reset();
+    const auto rows = heredity_rows(setting);
+    BOOST_REQUIRE(rows.size() == 3u);
+    BOOST_TEST(rows[1].setting == "ns");
+    BOOST_TEST(rows[1].generation == 1);
+    BOOST_TEST(rows[1].runs == 3);
+    BOOST_TEST(rows[1].heredity_fitness.value() == 1.5);
+    BOOST_TEST(rows[1].near_best.value() == 2);
+    BOOST_TEST(rows[2].heredity_fitness.value() == 2);
+    BOOST_TEST(!rows[2].cyclic.has_value());
+}
+
 BOOST_AUTO_TEST_CASE(entropy_has_mean_and_median_of_the_runs) {
     const Spec spec = fake_spec("ns", 3, 5);
     const EntropyRow row = entropy_row(fake_setting(spec, {1, 2, 6}), fake_analysis());

@@ -35,6 +35,7 @@ struct Made {
     std::vector<Evaluation> evaluations{{1, {1, 2}, 1}, {2, {3, 4}, 1}};
     std::vector<double> scores{1, 2};
     FakeSearch search;
+    Mothers mothers;
     Known known{};
 
     Made() {
@@ -47,7 +48,7 @@ struct Made {
     }
     std::string digest() const {
         Hash hash;
-        planula::digest(hash, {number, population, lives, evaluations, scores, search, best, known});
+        planula::digest(hash, {number, population, lives, evaluations, scores, search, mothers, best, known});
         return hash.hex();
     }
 };
@@ -187,10 +188,17 @@ BOOST_AUTO_TEST_CASE(what_this_process_remembered_is_not_in_the_digest) {
     BOOST_TEST(made.digest() == before);
 }
 
+BOOST_AUTO_TEST_CASE(what_follows_from_the_generations_before_is_not_in_the_digest) {
+    Made made;
+    const std::string before = made.digest();
+    made.mothers.add(made.population, made.lives, made.evaluations);
+    BOOST_TEST(made.digest() == before);
+}
+
 BOOST_AUTO_TEST_CASE(what_one_hash_is_fed_adds_up) {
     const Made made;
-    const Generation generation{made.number, made.population, made.lives, made.evaluations,
-                                made.scores, made.search,     made.best,  made.known};
+    const Generation generation{made.number, made.population, made.lives, made.evaluations, made.scores,
+                                made.search, made.mothers,    made.best,  made.known};
     Hash once, twice;
     digest(once, generation);
     digest(twice, generation);

@@ -73,6 +73,23 @@ BOOST_AUTO_TEST_CASE(searches_that_keep_individuals_go_on_with_them) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(what_the_mothers_did_comes_back) {
+    for (const std::string_view search : search_names()) {
+        const Spec spec = small(search, Actuation::oscillator);
+        RunState state = begin(spec, seed);
+        const auto compare = [&](const RunState &now) {
+            const RunState again = loaded(spec, saved(now), archive_of(now));
+            BOOST_TEST((saved(again) == saved(now)));
+            for (const Genome &child : now.population.genomes) {
+                const MotherLife *mother = now.mothers.of(child), *found = again.mothers.of(child);
+                BOOST_TEST((mother ? found && *found == *mother : !found));
+            }
+        };
+        run(
+            spec, seed, 1, state, [](const Generation &) {}, compare);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(individuals_kept_from_another_run_are_refused) {
     for (const std::string search : {"nsga2", "map-elites"}) {
         // Two runs, stopped after one generation and after three.

@@ -45,6 +45,7 @@ std::string signature_without_memo(const Spec &spec, std::uint64_t seed) {
                       evaluations,
                       scores,
                       *state.search,
+                      state.mothers,
                       static_cast<int>(best),
                       {}});
         if (population.generation + 1 == spec.parameters.generations) return hash.hex();

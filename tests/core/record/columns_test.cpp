@@ -23,7 +23,8 @@ BOOST_AUTO_TEST_CASE(headers_are_what_other_programs_expect) {
         "generation,best_fitness,best_slot,best_x,best_y,mean_fitness,valid,fitness_low,fitness_median,"
         "fitness_high,moved,heading_x,heading_y,species,threshold,mean_links,mean_hidden,archive,"
         "archive_threshold,viable,died_out,too_small,overgrown,never_settled,exploded,overborn,"
-        "shape_diversity\n");
+        "shape_diversity,children,pairs,heredity_fitness,heredity_cells,kept_fitness,near_mother,"
+        "cells_change,near_best,cyclic\n");
     BOOST_TEST(header_line<SizeRow>() == "generation,cells,individuals\n");
     BOOST_TEST(header_line<FitnessClassRow>() == "generation,percent,individuals\n");
     BOOST_TEST(header_line<ChainRow>() == "generation,content,link\n");

@@ -90,6 +90,7 @@ struct FakeLife {
     int cells = 10;
     Outcome outcome = Outcome::viable;
     double elongation = 2;
+    double late_actuation = 0.375;
 };
 
 using Invent = std::function<FakeLife(int generation, int slot)>;
@@ -145,7 +146,7 @@ inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
     if (fake.outcome != Outcome::viable) return life;
     life.rest = {0.25, 0.5};
     life.end = life.rest + fake.moved;
-    life.late_actuation = 0.375;
+    life.late_actuation = fake.late_actuation;
     const int samples = parameters.locomotion_steps / parameters.path_interval;
     for (int i = 0; i <= samples; ++i)
         life.path.push_back(life.rest + fake.moved * (static_cast<double>(i) / samples));
@@ -171,7 +172,7 @@ class FakeRun {
         auto search = std::make_unique<FakeSearch>();
         search->has_archive = spec.search != "neat";
         search_ = search.get();
-        state_ = {fake_population(spec, seed), std::move(search)};
+        state_ = {fake_population(spec, seed), std::move(search), {}};
     }
 
     /// That of the next generation; its genomes are numbered when that comes.
@@ -197,7 +198,9 @@ class FakeRun {
         if (search_->has_archive)
             search_->entries.push_back({generation, population.genomes[best].id, evaluations[best].behaviour,
                                         1.5 + generation, evaluations[best].fitness});
-        visit(Generation{generation, population, lives, evaluations, scores, *search_, best, {}});
+        visit(Generation{
+            generation, population, lives, evaluations, scores, *search_, state_.mothers, best, {}});
+        state_.mothers.add(population, lives, evaluations);
         ++population.generation;
     }
 
@@ -217,6 +220,7 @@ class FakeRun {
             population.genomes[slot].id = std::int64_t{population.generation} * size + slot;
         for (Species &species : population.species)
             species.representative = population.genomes[species.members.front()];
+        state_.mothers.keep(population, {});
     }
 
     Spec spec_;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "core/record/quick_run.h"
+#include "record/csv.h"
 #include "record/packed.h"
 #include "record/sealed.h"
 
@@ -40,11 +41,13 @@ void duplicate(const fs::path &from, const fs::path &to) { fs::copy(from, to, fs
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_run_stopped_at_every_generation_leaves_the_same_bytes) {
-    for (const std::string search : {"neat", "novelty"}) {
+    for (const std::string search : {"neat", "novelty", "nsga2", "map-elites"}) {
         const TemporaryFolder folder;
         quick::write(folder / "whole", quick::spec(search));
         const auto whole = contents(folder / "whole");
-        BOOST_TEST(whole.count("archive.csv.gz") == (search == "novelty" ? 1u : 0u));
+        BOOST_TEST(whole.count("archive.csv.gz") == (search == "neat" ? 0u : 1u));
+        // Children are compared with mothers of before the stop.
+        BOOST_TEST(read_table<GenerationRow>(folder / "whole").back().kept_fitness.has_value());
         for (const int evaluations : {6, 7, 17})
             for (const End end : {End::stopped, End::killed}) {
                 if (end == End::killed && evaluations < 2 * population)

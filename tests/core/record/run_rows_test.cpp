@@ -19,7 +19,7 @@ void observe(int population, const std::function<FakeLife(int slot)> &life, Chec
 
 GenerationRow row_of(int population, const std::function<FakeLife(int slot)> &life) {
     GenerationRow row;
-    observe(population, life, [&](const Generation &generation) { row = generation_row(generation, 1000); });
+    observe(population, life, [&](const Generation &generation) { row = generation_row(generation, {}); });
     return row;
 }
 
@@ -79,6 +79,29 @@ BOOST_AUTO_TEST_CASE(headings_are_unit_vectors_of_all_that_moved) {
     BOOST_TEST(row.best_slot == 1);
     BOOST_TEST(row.best_x == -6);
     BOOST_TEST(row.best_y == 8);
+}
+
+BOOST_AUTO_TEST_CASE(near_the_best_is_who_has_more_than_nine_tenths_of_its_fitness) {
+    // Of 10 the bound is 9, which is not near; the dead one counts among all.
+    constexpr double fitness[] = {10, 9.5, 9, 1};
+    BOOST_TEST(row_of(5, [&](int slot) {
+                   return slot < 4 ? FakeLife{.fitness = fitness[slot]} : dead();
+               }).near_best == 0.4);
+    BOOST_TEST(row_of(3, [](int) { return FakeLife{.fitness = 2}; }).near_best == 1);
+    BOOST_TEST(row_of(3, [](int) { return dead(); }).near_best == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_gait_is_cyclic_if_way_and_signals_last_to_the_end) {
+    // The way is even, a quarter of it late. Slot 1 holds its muscles still in the end, slot 2 does not move, slot 3 has
+    // no fitness.
+    const GenerationRow row = row_of(6, [](int slot) {
+        constexpr double late[] = {0.1, 0.09, 0.5, 0.5, 0.5, 0.5};
+        FakeLife life = slot == 3 ? dead() : FakeLife{.moved = {slot == 2 ? 0.0 : 3.0, 0}};
+        life.late_actuation = late[slot];
+        return life;
+    });
+    BOOST_TEST(row.cyclic.value() == 0.6, tolerance(1e-12));
+    BOOST_TEST(!row_of(3, [](int) { return dead(); }).cyclic.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(sizes_count_those_with_fitness_by_ascending_size) {

@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE(diversity_of_shapes_is_that_of_the_viable) {
     lives[1].outcome = Outcome::never_settled;
     const std::vector<Evaluation> evaluations(3);
     const std::vector<double> scores(3);
-    writer.observe({0, population, lives, evaluations, scores, FakeSearch(), 0, {}});
+    writer.observe({0, population, lives, evaluations, scores, FakeSearch(), Mothers(), 0, {}});
     writer.finish();
     const double expected = shape_distance(lives[0].shape, lives[2].shape);
     BOOST_TEST(expected > 0.1);
