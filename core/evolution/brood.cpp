@@ -31,21 +31,19 @@ void Elites::add(const Genome &genome, const Evaluation &evaluation) {
     evaluations.push_back(evaluation.valid() ? evaluation : Evaluation());
 }
 
-void save(const Elites &elites, StateWriter &writer) {
-    writer.group("elites").integer(static_cast<std::int64_t>(elites.size()));
-    for (std::size_t i = 0; i < elites.size(); ++i) {
-        save(elites.genomes[i], writer);
-        save(elites.evaluations[i], writer);
-    }
+void save(const Elites &elites, const Innovations &innovations, StateWriter &writer) {
+    writer.group("elites");
+    save(elites.genomes, innovations, writer);
+    for (const Evaluation &evaluation : elites.evaluations) save(evaluation, writer);
 }
 
-Elites load_elites(StateReader &reader) {
+Elites load_elites(const Population &population, StateReader &reader) {
+    const Genome &like = population.genomes.front();
     Elites elites;
     reader.group("elites");
-    for (std::size_t left = reader.count(); left > 0; --left) {
-        elites.genomes.push_back(load_genome(reader));
+    elites.genomes = load_genomes(like.inputs, like.outputs, population.innovations, reader);
+    for (std::size_t left = elites.genomes.size(); left > 0; --left)
         elites.evaluations.push_back(load_evaluation(reader));
-    }
     return elites;
 }
 

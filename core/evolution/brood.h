@@ -19,9 +19,10 @@ struct Elites {
     void add(const Genome &genome, const Evaluation &evaluation);
 };
 
-void save(const Elites &elites, StateWriter &writer);
-/// Throws InputError unless sound genomes and evaluations come next.
-Elites load_elites(StateReader &reader);
+/// The innovations are those of the run.
+void save(const Elites &elites, const Innovations &innovations, StateWriter &writer);
+/// Throws InputError unless sound genomes, of the population's shape and made of its innovations, and evaluations come next.
+Elites load_elites(const Population &population, StateReader &reader);
 
 /// The generation after `population`: parameters.population children of `parents`, each parent drawn by
 /// `draw`. There is at least one parent, all have the shape of the population's genomes, and

@@ -24,9 +24,9 @@ Population FitnessSearch::next(const Population &population, std::span<const dou
     return reproduce(population, scores, Adjustment::sharing, shape.recurrent, parameters_, seed);
 }
 
-void FitnessSearch::save(StateWriter &writer) const { writer.group("fitness search"); }
+void FitnessSearch::save(const Population &, StateWriter &writer) const { writer.group("fitness search"); }
 
-void FitnessSearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
+void FitnessSearch::load(const Population &, std::span<const ArchiveEntry> archive, StateReader &reader) {
     reader.group("fitness search");
     check_archive(archive, 0, 0, reader);
 }

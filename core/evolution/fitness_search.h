@@ -14,8 +14,9 @@ class FitnessSearch final : public Search {
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
     Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
                     std::uint64_t seed) const override;
-    void save(StateWriter &writer) const override;
-    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
+    void save(const Population &population, StateWriter &writer) const override;
+    void load(const Population &population, std::span<const ArchiveEntry> archive,
+              StateReader &reader) override;
 
   private:
     Parameters parameters_;

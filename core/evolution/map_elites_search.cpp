@@ -60,17 +60,18 @@ Population MapElitesSearch::next(const Population &population, std::span<const d
     return brood(population, parents, any, shape.recurrent, parameters_, seed);
 }
 
-void MapElitesSearch::save(StateWriter &writer) const {
+void MapElitesSearch::save(const Population &population, StateWriter &writer) const {
     writer.group("map-elites search");
-    planula::save(elites_, writer);
+    planula::save(elites_, population.innovations, writer);
     writer.group("archive").integer(static_cast<std::int64_t>(length_));
     writer.integer(static_cast<std::int64_t>(archive_.size()));
 }
 
-void MapElitesSearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
+void MapElitesSearch::load(const Population &population, std::span<const ArchiveEntry> archive,
+                           StateReader &reader) {
     *this = MapElitesSearch(parameters_);
     reader.group("map-elites search");
-    const Elites elites = load_elites(reader);
+    const Elites elites = load_elites(population, reader);
     reader.group("archive");
     constexpr int largest = std::numeric_limits<int>::max();
     length_ = static_cast<std::size_t>(reader.integer(0, largest));

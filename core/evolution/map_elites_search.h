@@ -30,8 +30,9 @@ class MapElitesSearch final : public Search {
     std::span<const Genome> kept_genomes() const override { return elites_.genomes; }
     bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_; }
-    void save(StateWriter &writer) const override;
-    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
+    void save(const Population &population, StateWriter &writer) const override;
+    void load(const Population &population, std::span<const ArchiveEntry> archive,
+              StateReader &reader) override;
 
     /// One for each niche that was ever entered, in order of first entry.
     const Elites &elites() const { return elites_; }

@@ -23,12 +23,12 @@ Population NoveltySearch::next(const Population &population, std::span<const dou
                      parameters_, seed);
 }
 
-void NoveltySearch::save(StateWriter &writer) const {
+void NoveltySearch::save(const Population &, StateWriter &writer) const {
     writer.group("novelty search");
     archive_.save(writer);
 }
 
-void NoveltySearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
+void NoveltySearch::load(const Population &, std::span<const ArchiveEntry> archive, StateReader &reader) {
     reader.group("novelty search");
     archive_.load(reader, archive);
 }

@@ -19,8 +19,9 @@ class NoveltySearch final : public Search {
     bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_.entries(); }
     double archive_threshold() const override { return archive_.threshold(); }
-    void save(StateWriter &writer) const override;
-    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
+    void save(const Population &population, StateWriter &writer) const override;
+    void load(const Population &population, std::span<const ArchiveEntry> archive,
+              StateReader &reader) override;
 
   private:
     Parameters parameters_;

@@ -61,16 +61,17 @@ Population ParetoSearch::next(const Population &population, std::span<const doub
     return brood(population, {kept_.genomes, ranks, {}}, tournament, shape.recurrent, parameters_, seed);
 }
 
-void ParetoSearch::save(StateWriter &writer) const {
+void ParetoSearch::save(const Population &population, StateWriter &writer) const {
     writer.group(name_);
     archive_.save(writer);
-    planula::save(kept_, writer);
+    planula::save(kept_, population.innovations, writer);
 }
 
-void ParetoSearch::load(StateReader &reader, std::span<const ArchiveEntry> archive) {
+void ParetoSearch::load(const Population &population, std::span<const ArchiveEntry> archive,
+                        StateReader &reader) {
     reader.group(name_);
     archive_.load(reader, archive);
-    kept_ = load_elites(reader);
+    kept_ = load_elites(population, reader);
 }
 
 } // namespace planula

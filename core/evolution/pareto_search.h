@@ -28,8 +28,9 @@ class ParetoSearch : public Search {
     bool keeps_archive() const override { return true; }
     std::span<const ArchiveEntry> archive() const override { return archive_.entries(); }
     double archive_threshold() const override { return archive_.threshold(); }
-    void save(StateWriter &writer) const override;
-    void load(StateReader &reader, std::span<const ArchiveEntry> archive) override;
+    void save(const Population &population, StateWriter &writer) const override;
+    void load(const Population &population, std::span<const ArchiveEntry> archive,
+              StateReader &reader) override;
 
     /// The parents of the next generation, the highest rank first.
     const Elites &kept() const { return kept_; }

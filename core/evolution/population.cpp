@@ -17,11 +17,8 @@ Genome fully_connected(const NetworkShape &shape, Innovations &innovations) {
     Genome genome;
     genome.inputs = shape.inputs;
     genome.outputs = shape.outputs;
-    const int bias = shape.inputs - 1, ends = shape.inputs + shape.outputs;
-    for (int id = 0; id < bias; ++id) genome.nodes.push_back({id, NodeKind::input, 0});
-    genome.nodes.push_back({bias, NodeKind::bias, 0});
-    for (int id = shape.inputs; id < ends; ++id) genome.nodes.push_back({id, NodeKind::output, 1});
-    for (int to = shape.inputs; to < ends; ++to)
+    genome.nodes = terminal_nodes(shape.inputs, shape.outputs);
+    for (int to = shape.inputs; to < shape.inputs + shape.outputs; ++to)
         for (int from = 0; from < shape.inputs; ++from)
             genome.links.push_back({innovations.link(from, to), from, to, 0, false});
     return genome;

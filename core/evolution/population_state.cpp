@@ -71,32 +71,26 @@ void load_all_species(Population &population, StateReader &reader) {
 }
 
 void load_genomes(const NetworkShape &shape, int size, Population &population, StateReader &reader) {
-    std::set<std::int64_t> ids;
-    if (reader.count() != static_cast<std::size_t>(size))
+    population.genomes = planula::load_genomes(shape.inputs, shape.outputs, population.innovations, reader);
+    if (population.genomes.size() != static_cast<std::size_t>(size))
         reader.refuse("the population has not the setting's size of " + to_text(size));
-    for (int slot = 0; slot < size; ++slot) {
-        population.genomes.push_back(load_genome(reader));
-        check_member(population.genomes.back(), shape, population, reader);
-        if (!ids.insert(population.genomes.back().id).second) reader.refuse("two genomes have one id");
+    std::set<std::int64_t> ids;
+    for (const Genome &genome : population.genomes) {
+        check_member(genome, shape, population, reader);
+        if (!ids.insert(genome.id).second) reader.refuse("two genomes have one id");
     }
 }
 
 } // namespace
 
-void check_member(const Genome &genome, const NetworkShape &shape, Population &population,
+void check_member(const Genome &genome, const NetworkShape &shape, const Population &population,
                   const StateReader &reader) {
-    if (genome.inputs != shape.inputs || genome.outputs != shape.outputs)
-        reader.refuse("a genome has not the inputs and outputs of the setting");
-    if (genome.id < 0 || std::max({genome.id, genome.mother, genome.father}) >= population.next_genome)
+    if (std::max({genome.id, genome.mother, genome.father}) >= population.next_genome)
         reader.refuse("a genome, or a parent, is not born yet");
-    if (genome.nodes.back().id >= population.innovations.next_node())
-        reader.refuse("a node is not of this run");
+    if (shape.recurrent) return;
     for (const LinkGene &link : genome.links) {
-        if (link.innovation >= population.innovations.links() ||
-            population.innovations.link(link.from, link.to) != link.innovation)
-            reader.refuse("a link is not the innovation that it names");
         const double climb = genome.find_node(link.to)->depth - genome.find_node(link.from)->depth;
-        if (!shape.recurrent && (link.recurrent || climb <= 0))
+        if (link.recurrent || climb <= 0)
             reader.refuse("a link of a network without recurrence does not climb");
     }
 }
@@ -106,10 +100,9 @@ void save(const Population &population, StateWriter &writer) {
     writer.group("population").integer(population.generation);
     writer.real(population.threshold).real(population.best_ever);
     writer.integer(population.next_genome).integer(population.next_species);
+    writer.integer(population.genomes.front().inputs).integer(population.genomes.front().outputs);
     population.innovations.save(writer);
-
-    writer.group("genomes").integer(static_cast<std::int64_t>(population.genomes.size()));
-    for (const Genome &genome : population.genomes) save(genome, writer);
+    save(population.genomes, population.innovations, writer);
     writer.group("species").integer(static_cast<std::int64_t>(population.species.size()));
     for (const Species &species : population.species) save(species, writer);
 }
@@ -123,9 +116,12 @@ Population load_population(const NetworkShape &shape, const Parameters &paramete
     population.best_ever = load_score(reader);
     population.next_genome = reader.integer(0, most_genomes);
     population.next_species = static_cast<int>(reader.integer(0, std::numeric_limits<int>::max() / 2));
+    const std::int64_t inputs = reader.integer(), outputs = reader.integer();
+    if (inputs != shape.inputs || outputs != shape.outputs)
+        reader.refuse("the genomes have not the inputs and outputs of the setting");
     population.innovations = Innovations::load(reader);
-
-    reader.group("genomes");
+    if (population.innovations.first_node() != shape.inputs + shape.outputs)
+        reader.refuse("the innovations are of networks of another shape");
     load_genomes(shape, parameters.population, population, reader);
     reader.group("species");
     load_all_species(population, reader);

@@ -15,9 +15,9 @@ void save(const Population &population, StateWriter &writer);
 /// Throws InputError naming the rule that the bytes break.
 Population load_population(const NetworkShape &shape, const Parameters &parameters, StateReader &reader);
 
-/// What the genome alone cannot say: throws InputError unless it has this shape and is of this run, born
-/// before the population's next genome and made of its innovations.
-void check_member(const Genome &genome, const NetworkShape &shape, Population &population,
+/// What the genome alone cannot say: throws InputError unless it is born before the population's next genome and, in a
+/// network without recurrence, all its links climb.
+void check_member(const Genome &genome, const NetworkShape &shape, const Population &population,
                   const StateReader &reader);
 
 } // namespace planula

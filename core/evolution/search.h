@@ -38,11 +38,13 @@ class Search {
     /// The novelty that the archive asks for at present; 0 for searches that ask for none.
     virtual double archive_threshold() const { return 0; }
 
-    /// All that the search remembers but archive(), which grows too large to be saved again and again.
-    virtual void save(StateWriter &writer) const = 0;
-    /// Resumes where save() was called, in a search of the same name and parameters; `archive` is as archive() was
-    /// there. Throws InputError, and must not be used any more, if the state is not sound.
-    virtual void load(StateReader &reader, std::span<const ArchiveEntry> archive) = 0;
+    /// All that the search remembers but archive(), which grows too large to be saved again and again. `population` is
+    /// the run's, to live next.
+    virtual void save(const Population &population, StateWriter &writer) const = 0;
+    /// Resumes where save() was called, in a search of the same name and parameters; `population` and `archive` are as
+    /// they were there. Throws InputError, and must not be used any more, if the state is not sound.
+    virtual void load(const Population &population, std::span<const ArchiveEntry> archive,
+                      StateReader &reader) = 0;
 };
 
 /// The names that make_search knows: "neat", "novelty", "nsga2", "nslc" (local competition), "map-elites".

@@ -7,7 +7,7 @@ namespace planula {
 
 void save(const RunState &state, StateWriter &writer) {
     save(state.population, writer);
-    state.search->save(writer);
+    state.search->save(state.population, writer);
     state.mothers.save(writer);
 }
 
@@ -15,7 +15,7 @@ RunState load_run_state(const Spec &spec, std::span<const ArchiveEntry> archive,
     const NetworkShape shape = shape_of(spec.actuation);
     RunState state{
         load_population(shape, spec.parameters, reader), make_search(spec.search, spec.parameters), {}};
-    state.search->load(reader, archive);
+    state.search->load(state.population, archive, reader);
     for (const Genome &genome : state.search->kept_genomes())
         check_member(genome, shape, state.population, reader);
     state.mothers = Mothers::load(state.population, state.search->kept_genomes(), reader);

@@ -4,7 +4,6 @@
 #include "base/check.h"
 #include "genome/align.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace planula {
@@ -31,15 +30,8 @@ LinkGene inherit(const LinkGene &of_mother, const LinkGene &of_father, bool aver
 std::vector<NodeGene> needed_nodes(const Genome &mother, const Genome &father,
                                    const std::vector<LinkGene> &links) {
     const int ends = mother.inputs + mother.outputs;
-    std::vector<int> needed;
-    for (const auto &link : links)
-        for (const int id : {link.from, link.to})
-            if (id >= ends) needed.push_back(id);
-    std::sort(needed.begin(), needed.end());
-    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-
     std::vector<NodeGene> nodes(mother.nodes.begin(), mother.nodes.begin() + ends);
-    for (const int id : needed) {
+    for (const int id : linked_nodes(ends, links)) {
         const NodeGene *node = mother.find_node(id);
         nodes.push_back(node ? *node : *father.find_node(id));
     }

@@ -99,6 +99,25 @@ void check_genome(const Genome &genome) {
     for (const auto &link : genome.links) check_link(genome, link);
 }
 
+std::vector<NodeGene> terminal_nodes(int inputs, int outputs) {
+    const int bias = inputs - 1, ends = inputs + outputs;
+    std::vector<NodeGene> nodes;
+    for (int id = 0; id < bias; ++id) nodes.push_back({id, NodeKind::input, 0});
+    nodes.push_back({bias, NodeKind::bias, 0});
+    for (int id = inputs; id < ends; ++id) nodes.push_back({id, NodeKind::output, 1});
+    return nodes;
+}
+
+std::vector<int> linked_nodes(int first, const std::vector<LinkGene> &links) {
+    std::vector<int> linked;
+    for (const auto &link : links)
+        for (const int id : {link.from, link.to})
+            if (id >= first) linked.push_back(id);
+    std::sort(linked.begin(), linked.end());
+    linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
+    return linked;
+}
+
 const char *name_of(Origin origin) {
     switch (origin) {
     case Origin::initial:

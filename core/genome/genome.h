@@ -60,6 +60,11 @@ struct Genome {
 /// Throws InputError naming the first broken invariant, a weight that is not finite included.
 void check_genome(const Genome &genome);
 
+/// Inputs, the bias and outputs, in the order of a genome's nodes.
+std::vector<NodeGene> terminal_nodes(int inputs, int outputs);
+/// The ids of all nodes from `first` on at the ends of these links, ascending.
+std::vector<int> linked_nodes(int first, const std::vector<LinkGene> &links);
+
 const char *name_of(Origin origin);
 const char *name_of(NodeKind kind);
 

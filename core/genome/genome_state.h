@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Genomes in saved state (base/state.h). They read back to the bit; what breaks a rule of check_genome is
-// refused.
+// Genomes of one run in saved state (base/state.h), column by column: numbers of one kind stand together, which is what
+// record/packed.h shrinks most. Of each genome it is written where it comes from, which innovations it has and their
+// weights. All else follows from the run's record of innovations: what a link joins; that a genome's hidden nodes are those
+// at the ends of its links; and that a node lies halfway between the ends of the link whose split made it. Genomes read
+// back to the bit.
 #pragma once
 
 #include "base/state.h"
 #include "genome/genome.h"
+#include "genome/innovations.h"
+
+#include <span>
+#include <vector>
 
 namespace planula {
 
-void save(const Genome &genome, StateWriter &writer);
+/// All genomes have one shape and are made of these innovations, as evolution makes them.
+void save(std::span<const Genome> genomes, const Innovations &innovations, StateWriter &writer);
 
-/// Throws InputError unless a whole, sound genome comes next.
-Genome load_genome(StateReader &reader);
+/// Throws InputError unless whole genomes come next that are made of these innovations and sound (check_genome). The
+/// record is that of a run of this shape: `inputs`, the bias included, and `outputs` together are its first_node().
+std::vector<Genome> load_genomes(int inputs, int outputs, const Innovations &innovations,
+                                 StateReader &reader);
 
 } // namespace planula

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "genome/innovations.h"
 
-#include <utility>
-
 namespace planula {
 
 namespace {
@@ -13,10 +11,6 @@ constexpr int most_inputs_and_outputs = 1 << 20; // of any network: a bound for 
 std::uint64_t key_of(int from, int to) {
     return std::uint64_t{static_cast<std::uint32_t>(from)} << 32 | static_cast<std::uint32_t>(to);
 }
-
-using Ends = std::pair<int, int>;
-
-Ends ends_of(std::uint64_t key) { return {static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffu)}; }
 
 void write_ends(std::span<const Ends> links, StateWriter &writer) {
     writer.integer(static_cast<std::int64_t>(links.size()));
@@ -33,8 +27,8 @@ Ends read_ends(int nodes, StateReader &reader) {
 } // namespace
 
 int Innovations::link(int from, int to) {
-    const auto [entry, is_new] = links_.try_emplace(key_of(from, to), next_link_);
-    if (is_new) ++next_link_;
+    const auto [entry, is_new] = links_.try_emplace(key_of(from, to), links());
+    if (is_new) link_ends_.push_back({from, to});
     return entry->second;
 }
 
@@ -44,24 +38,15 @@ std::span<const int> Innovations::splits(int from, int to) const {
 }
 
 int Innovations::new_split(int from, int to) {
-    splits_[key_of(from, to)].push_back(next_node_);
-    return next_node_++;
+    splits_[key_of(from, to)].push_back(next_node());
+    split_ends_.push_back({from, to});
+    return next_node() - 1;
 }
 
 void Innovations::save(StateWriter &writer) const {
-    // In order of innovation and of node, which is the order in which loading meets them again.
-    std::vector<Ends> links(links_.size());
-    for (const auto &[key, innovation] : links_) links[innovation] = ends_of(key);
-    std::size_t split = 0;
-    for (const auto &[key, nodes] : splits_) split += nodes.size();
-    const int first_node = next_node_ - static_cast<int>(split);
-    std::vector<Ends> splits(split);
-    for (const auto &[key, nodes] : splits_)
-        for (const int node : nodes) splits[node - first_node] = ends_of(key);
-
-    writer.group("innovations").integer(first_node);
-    write_ends(splits, writer);
-    write_ends(links, writer);
+    writer.group("innovations").integer(first_node_);
+    write_ends(split_ends_, writer);
+    write_ends(link_ends_, writer);
 }
 
 Innovations Innovations::load(StateReader &reader) {
@@ -69,12 +54,12 @@ Innovations Innovations::load(StateReader &reader) {
     reader.group("innovations");
     Innovations innovations(static_cast<int>(reader.integer(0, most_inputs_and_outputs)));
     for (std::size_t left = reader.count(pair_bytes); left > 0; --left) {
-        const auto [from, to] = read_ends(innovations.next_node_, reader);
+        const auto [from, to] = read_ends(innovations.next_node(), reader);
         innovations.new_split(from, to);
     }
     const std::size_t links = reader.count(pair_bytes);
     for (std::size_t number = 0; number < links; ++number) {
-        const auto [from, to] = read_ends(innovations.next_node_, reader);
+        const auto [from, to] = read_ends(innovations.next_node(), reader);
         if (innovations.link(from, to) != static_cast<int>(number)) reader.refuse("a link is there twice");
     }
     return innovations;

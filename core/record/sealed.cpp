@@ -8,7 +8,7 @@ namespace planula {
 
 namespace {
 
-constexpr std::int64_t form = 1; // raised when what is sealed changes its form
+constexpr std::int64_t form = 2; // raised when what is sealed changes its form
 constexpr std::size_t hash_size = 64;
 
 /// What stands before content of this length.

@@ -87,15 +87,15 @@ BOOST_AUTO_TEST_CASE(elites_read_back_equal_and_are_refused_if_cut_short) {
     elites.add(pool.genomes[0], {3, {1, 2}, 0.1});
     elites.add(pool.genomes[1], {7, {std::numeric_limits<double>::quiet_NaN()}, 0}); // forgotten
     StateWriter writer;
-    save(elites, writer);
+    save(elites, pool.before.innovations, writer);
     StateReader reader(writer.bytes());
-    const Elites read = load_elites(reader);
+    const Elites read = load_elites(pool.before, reader);
     reader.done();
     BOOST_TEST((read.genomes == elites.genomes));
     BOOST_TEST((read.evaluations[0] == Evaluation{3, {1, 2}, 0.1}));
     BOOST_TEST((read.evaluations[1] == Evaluation{}));
     for (std::size_t length = 0; length < writer.bytes().size(); ++length) {
         StateReader cut(std::string_view(writer.bytes()).substr(0, length));
-        BOOST_CHECK_THROW(load_elites(cut), InputError);
+        BOOST_CHECK_THROW(load_elites(pool.before, cut), InputError);
     }
 }

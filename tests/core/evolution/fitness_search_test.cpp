@@ -35,13 +35,14 @@ BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_with_shared_scores) {
 }
 
 BOOST_AUTO_TEST_CASE(it_remembers_nothing_but_its_name) {
+    const Population population;
     StateWriter writer;
-    FitnessSearch(Parameters()).save(writer);
+    FitnessSearch(Parameters()).save(population, writer);
     StateReader reader(writer.bytes());
-    FitnessSearch(Parameters()).load(reader, {});
+    FitnessSearch(Parameters()).load(population, {}, reader);
     reader.done();
     StateReader short_of_one(std::string_view(writer.bytes()).substr(1));
-    BOOST_CHECK_THROW(FitnessSearch(Parameters()).load(short_of_one, {}), InputError);
+    BOOST_CHECK_THROW(FitnessSearch(Parameters()).load(population, {}, short_of_one), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(fitness_that_is_no_number_is_a_broken_promise) {

@@ -109,19 +109,20 @@ BOOST_AUTO_TEST_CASE(a_known_map_is_covered_and_its_score_approached) {
 }
 
 BOOST_AUTO_TEST_CASE(a_map_that_cannot_be_is_refused) {
-    const auto refused = [](const std::vector<Evaluation> &evaluations, int length) {
+    const Population population = numbered(1, 0);
+    const auto refused = [&](const std::vector<Evaluation> &evaluations, int length) {
         Elites elites;
         for (const Evaluation &evaluation : evaluations) {
-            elites.genomes.push_back(specimens::bare(2, 1));
+            elites.genomes.push_back(population.genomes.front());
             elites.evaluations.push_back(evaluation);
         }
         StateWriter writer;
         writer.group("map-elites search");
-        save(elites, writer);
+        save(elites, population.innovations, writer);
         writer.group("archive").integer(length).integer(0);
         StateReader reader(writer.bytes());
         MapElitesSearch search(of(2, 1));
-        BOOST_CHECK_THROW(search.load(reader, {}), InputError);
+        BOOST_CHECK_THROW(search.load(population, {}, reader), InputError);
     };
     refused({{1, {0.2}, 1}, {1, {0.7}, 1}}, 1); // two in a niche
     refused({{1, {0.2}, 0}}, 1);                // not valid

@@ -271,9 +271,9 @@ BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {
         live(through, 0, stop);
         live(before, 0, stop);
         StateWriter writer;
-        before.search.save(writer);
+        before.search.save(before.population, writer);
         StateReader reader(writer.bytes());
-        after.search.load(reader, before.search.archive());
+        after.search.load(after.population, before.search.archive(), reader);
         reader.done();
         after.population.generation = stop;
         BOOST_TEST(live(through, stop, 40) == live(after, stop, 40), per_element());
@@ -287,14 +287,15 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     Run run(nearest(1));
     run.explore(3);
     StateWriter whole;
-    run.search.save(whole);
+    run.search.save(run.population, whole);
     for (std::size_t length = 0; length < whole.bytes().size(); ++length) {
         StateReader reader(std::string_view(whole.bytes()).substr(0, length));
-        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader, run.search.archive()), InputError);
+        BOOST_CHECK_THROW(Run(nearest(1)).search.load(run.population, run.search.archive(), reader),
+                          InputError);
     }
-    const auto refused = [](const StateWriter &writer, std::span<const ArchiveEntry> archive = {}) {
+    const auto refused = [&](const StateWriter &writer, std::span<const ArchiveEntry> archive = {}) {
         StateReader reader(writer.bytes());
-        BOOST_CHECK_THROW(Run(nearest(1)).search.load(reader, archive), InputError);
+        BOOST_CHECK_THROW(Run(nearest(1)).search.load(run.population, archive, reader), InputError);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto head = [](double threshold, int run_of_additions, int length, int entries, int quiet = 0) {
@@ -322,7 +323,7 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     refused(head(1, 0, 0, 1), bare);
     const StateWriter sound = head(1, 0, 2, 1);
     StateReader reader(sound.bytes());
-    BOOST_CHECK_NO_THROW(Run(nearest(1)).search.load(reader, one));
+    BOOST_CHECK_NO_THROW(Run(nearest(1)).search.load(run.population, one, reader));
 }
 
 BOOST_AUTO_TEST_CASE(behaviours_that_cannot_be_compared_are_the_users_error) {

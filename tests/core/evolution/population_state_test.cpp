@@ -111,17 +111,39 @@ BOOST_AUTO_TEST_CASE(a_population_that_contradicts_itself_or_the_setting_is_refu
     refuses("below 0", [](Population &p) { p.species[0].best_ever = -1; });
     refuses("is not finite", [&](Population &p) { p.best_ever = infinite; });
     refuses("is not finite", [&](Population &p) { p.genomes[3].links[0].weight = infinite; });
-    refuses("is not the innovation", [](Population &p) { p.genomes[3].links[0].innovation = 1; });
-    refuses("is not the innovation", [](Population &p) { p.innovations = Innovations(3); });
     refuses("does not climb", [](Population &p) { p.genomes[3].links[0].recurrent = true; });
-    refuses("inputs and outputs", [](Population &p) {
-        p.genomes[0] = specimens::bare(1, 2);
-        p.genomes[0].id = 0;
-    });
     refuses("setting's size", [](Population &p) {
         p.genomes.pop_back();
         p.species.pop_back();
     });
+}
+
+BOOST_AUTO_TEST_CASE(a_population_of_another_shape_is_refused) {
+    const Population population = populations::far_apart({3, 1}); // two inputs, one output
+    for (const NetworkShape shape : {NetworkShape{1, 2, false}, NetworkShape{3, 1, false}})
+        BOOST_CHECK_THROW(loaded(saved(population), shape, populations::frozen(4)), InputError);
+
+    // The innovations alone are of another shape.
+    StateWriter record, other;
+    population.innovations.save(record);
+    Innovations(4).save(other);
+    std::string bytes = saved(population);
+    bytes.replace(bytes.find(record.bytes()), record.bytes().size(), other.bytes());
+    BOOST_CHECK_THROW(loaded(bytes, {2, 1, false}, populations::frozen(4)), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(a_population_that_its_innovations_do_not_explain_is_not_saved) {
+    const auto not_saved = [](auto &&spoil) {
+        Population population = populations::far_apart({3, 1});
+        spoil(population);
+        BOOST_CHECK_THROW(saved(population), InternalError);
+    };
+    not_saved([](Population &p) { p.genomes[1].links[0].innovation = 1; });
+    not_saved([](Population &p) { p.genomes[1].links[0].from = 1; });
+    not_saved([](Population &p) { p.genomes[1].nodes[2].depth = 0.5; });
+    not_saved([](Population &p) { p.genomes[1] = specimens::bare(1, 2); });
+    not_saved([](Population &p) { p.innovations = Innovations(3); });
+    not_saved([](Population &p) { p.innovations = Innovations(4); });
 }
 
 BOOST_AUTO_TEST_CASE(any_damage_is_refused_or_leaves_a_population_that_can_breed) {

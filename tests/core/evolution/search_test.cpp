@@ -24,9 +24,9 @@ Parameters of(int population) {
     return parameters;
 }
 
-std::string saved(const Search &search) {
+std::string saved(const ToyRun &run) {
     StateWriter writer;
-    search.save(writer);
+    run.search->save(run.population, writer);
     return writer.bytes();
 }
 
@@ -133,14 +133,14 @@ BOOST_AUTO_TEST_CASE(every_search_goes_on_after_a_stop_as_if_there_had_been_none
                 ToyRun through(name, of(20), 5), stopped(name, of(20), 5);
                 through.steps(stop);
                 stopped.steps(stop);
-                const std::string bytes = saved(*stopped.search);
+                const std::string bytes = saved(stopped);
                 const auto archive = archive_of(*stopped.search);
                 stopped.search = make_search(name, stopped.parameters);
                 StateReader reader(bytes);
-                stopped.search->load(reader, archive);
+                stopped.search->load(stopped.population, archive, reader);
                 reader.done();
                 BOOST_TEST((stopped.steps(9) == through.steps(9)));
-                BOOST_TEST((saved(*stopped.search) == saved(*through.search)));
+                BOOST_TEST((saved(stopped) == saved(through)));
             }
 }
 
@@ -148,19 +148,20 @@ BOOST_AUTO_TEST_CASE(every_state_reads_back_to_the_same_bytes_and_is_refused_if_
     for (const auto name : search_names()) BOOST_TEST_CONTEXT(name) {
             ToyRun run(name, of(6), 2);
             run.steps(4);
-            const std::string bytes = saved(*run.search);
+            const std::string bytes = saved(run);
             StateReader reader(bytes);
             // What the search held before is gone.
             ToyRun other(name, of(6), 9);
             other.steps(2);
+            other.population = run.population;
             const auto archive = archive_of(*run.search);
-            other.search->load(reader, archive);
-            BOOST_TEST((saved(*other.search) == bytes));
+            other.search->load(other.population, archive, reader);
+            BOOST_TEST((saved(other) == bytes));
             BOOST_TEST((archive_of(*other.search) == archive));
             const std::size_t step = bytes.size() / 500 + 1;
             for (std::size_t length = 0; length < bytes.size(); length += step) {
                 StateReader cut(std::string_view(bytes).substr(0, length));
-                BOOST_REQUIRE_THROW(other.search->load(cut, archive), InputError);
+                BOOST_REQUIRE_THROW(other.search->load(other.population, archive, cut), InputError);
             }
         }
 }
@@ -169,17 +170,18 @@ BOOST_AUTO_TEST_CASE(damaged_state_is_refused_or_ends_in_a_named_error_but_never
     for (const auto name : search_names()) BOOST_TEST_CONTEXT(name) {
             ToyRun run(name, of(4), 2);
             run.steps(3);
-            const std::string bytes = saved(*run.search);
+            const std::string bytes = saved(run);
             Stream stream = specimens::stream(1);
             for (int round = 0; round < 400; ++round) {
                 std::string damaged = bytes;
                 char &at = damaged[stream.below(static_cast<std::uint32_t>(bytes.size()))];
                 at = static_cast<char>(at ^ 1 << stream.below(8));
                 ToyRun other(name, of(4), 2);
+                other.population = run.population;
                 StateReader reader(damaged);
                 try {
-                    other.search->load(reader, archive_of(*run.search));
-                    BOOST_TEST_REQUIRE((saved(*other.search) == damaged));
+                    other.search->load(other.population, archive_of(*run.search), reader);
+                    BOOST_TEST_REQUIRE((saved(other) == damaged));
                     other.step();
                     check_generation(other);
                 } catch (const Error &) {

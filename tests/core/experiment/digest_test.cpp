@@ -23,8 +23,8 @@ struct FakeSearch final : Search {
     }
     std::span<const ArchiveEntry> archive() const override { return entries; }
     double archive_threshold() const override { return threshold; }
-    void save(StateWriter &) const override {}
-    void load(StateReader &, std::span<const ArchiveEntry>) override {}
+    void save(const Population &, StateWriter &) const override {}
+    void load(const Population &, std::span<const ArchiveEntry>, StateReader &) override {}
 };
 
 /// Generation 7 of two individuals, with something in every list.

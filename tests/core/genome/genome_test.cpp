@@ -36,6 +36,17 @@ bool refused(const Genome &genome, const std::string &words) {
 
 } // namespace
 
+BOOST_AUTO_TEST_CASE(terminal_nodes_are_inputs_the_bias_and_outputs) {
+    BOOST_TEST((terminal_nodes(3, 2) == specimens::bare(3, 2).nodes));
+    BOOST_TEST((terminal_nodes(1, 1) == specimens::bare(1, 1).nodes));
+}
+
+BOOST_AUTO_TEST_CASE(linked_nodes_are_there_once_and_ascend) {
+    BOOST_TEST(linked_nodes(5, sound().links) == std::vector{7}, boost::test_tools::per_element());
+    BOOST_TEST(linked_nodes(0, sound().links) == (std::vector{0, 3, 4, 7}), boost::test_tools::per_element());
+    BOOST_TEST(linked_nodes(8, sound().links).empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_sound_genome_passes) { BOOST_CHECK_NO_THROW(check_genome(sound())); }
 
 BOOST_AUTO_TEST_CASE(every_broken_rule_of_nodes_is_named) {

@@ -33,6 +33,22 @@ BOOST_AUTO_TEST_CASE(splits_of_a_link_are_remembered_in_order) {
     BOOST_TEST(innovations.next_node() == 8);
 }
 
+BOOST_AUTO_TEST_CASE(what_a_link_joins_and_what_was_split_for_a_node_is_on_record) {
+    Innovations innovations(5);
+    for (const int from : {0, 3, 0}) innovations.link(from, 4);
+    for (const int from : {0, 3, 0}) innovations.new_split(from, 4);
+    BOOST_TEST(innovations.first_node() == 5);
+    BOOST_TEST(innovations.links() == 2);
+    for (const int innovation : {0, 1}) {
+        BOOST_TEST(innovations.link_ends(innovation).from == 3 * innovation);
+        BOOST_TEST(innovations.link_ends(innovation).to == 4);
+    }
+    for (const int node : {5, 6, 7}) {
+        BOOST_TEST(innovations.split_ends(node).from == (node == 6 ? 3 : 0));
+        BOOST_TEST(innovations.split_ends(node).to == 4);
+    }
+}
+
 namespace {
 
 /// A record of three links and three splits, two of them of one link.

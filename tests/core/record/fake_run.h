@@ -109,7 +109,7 @@ struct FakeSearch : Search {
     std::span<const ArchiveEntry> archive() const override { return entries; }
     double archive_threshold() const override { return has_archive ? 0.5 : 0; }
     /// As the setting's own search has it, which reads it back.
-    void save(StateWriter &writer) const override {
+    void save(const Population &, StateWriter &writer) const override {
         if (!has_archive) {
             writer.group("fitness search");
             return;
@@ -117,7 +117,7 @@ struct FakeSearch : Search {
         writer.group("novelty search").group("archive").real(archive_threshold()).integer(0).integer(0);
         writer.integer(entries.empty() ? 0 : 2).integer(static_cast<std::int64_t>(entries.size()));
     }
-    void load(StateReader &, std::span<const ArchiveEntry>) override {}
+    void load(const Population &, std::span<const ArchiveEntry>, StateReader &) override {}
 };
 
 /// `search`: "neat", or "novelty" for a run with an archive.

@@ -3,13 +3,18 @@
 
 #include "base/error.h"
 #include "base/state.h"
+#include "core/genome/specimens.h"
 #include "core/record/fake_run.h"
+#include "evolution/population_state.h"
+#include "evolution/reproduce.h"
+#include "evolution/species.h"
 #include "record/packed.h"
 #include "record/sealed.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <limits>
+#include <set>
 
 using namespace planula;
 
@@ -30,7 +35,55 @@ void write_two(const std::filesystem::path &folder) {
     for (const int generation : {2, 4}) write_checkpoint(folder, sample(generation));
 }
 
+/// 300 genomes of some 145 links each, bred for some generations from one that has grown; at first no two weights are
+/// equal. The record of innovations is as long as those of runs of 1600 generations.
+Population late_population() {
+    Parameters parameters;
+    Population population;
+    population.threshold = parameters.compatibility_threshold;
+    Stream stream = specimens::stream(1);
+    Genome ancestor = specimens::connected(12, 4, population.innovations);
+    while (ancestor.links.size() < 145)
+        mutate(specimens::structural(), false, population.innovations, stream, ancestor);
+    for (Genome other = ancestor; population.innovations.links() < 2000;)
+        mutate(specimens::structural(), false, population.innovations, stream, other);
+    for (int slot = 0; slot < parameters.population; ++slot) {
+        Genome child = ancestor;
+        for (LinkGene &link : child.links) link.weight = stream.triangular();
+        add_child(parameters, population, child);
+    }
+    settle(parameters.population, population);
+    for (int generation = 0; generation < 10; ++generation) {
+        std::vector<double> scores(population.genomes.size());
+        for (double &score : scores) score = stream.uniform();
+        population = reproduce(population, scores, true, false, parameters, 1);
+    }
+    return population;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(the_state_of_a_late_population_takes_250_kilobytes) {
+    const Population population = late_population();
+    std::size_t links = 0;
+    std::set<double> weights;
+    for (const Genome &genome : population.genomes) {
+        links += genome.links.size();
+        for (const LinkGene &link : genome.links) weights.insert(link.weight);
+    }
+    BOOST_TEST(links >= 300u * 145);
+    BOOST_TEST(weights.size() * 3 >= links * 2); // in runs, two thirds of all weights differ
+    BOOST_TEST(population.innovations.links() >= 2000);
+
+    const TemporaryFolder folder;
+    StateWriter writer;
+    save(population, writer);
+    KeptState kept = sample(1600);
+    kept.state = writer.bytes();
+    keep_state(folder.path(), kept);
+    BOOST_TEST(std::filesystem::file_size(state_path(folder.path(), 1600)) <= 250'000u);
+    BOOST_TEST((read_state(state_path(folder.path(), 1600)).value().state == kept.state));
+}
 
 BOOST_AUTO_TEST_CASE(a_seal_shows_every_cut_and_every_changed_bit) {
     const std::string content = "what was kept", whole = seal(content);

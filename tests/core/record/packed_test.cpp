@@ -66,14 +66,14 @@ BOOST_AUTO_TEST_CASE(nothing_packed_is_more_than_16_times_as_long) {
 }
 
 BOOST_AUTO_TEST_CASE(packed_bytes_that_were_cut_or_changed_are_refused_or_mean_the_same) {
-    for (const std::string &content : {digits(300), noise(60)}) {
+    for (const std::string &content : {digits(1000), noise(60)}) {
         const std::string whole = pack(content);
         for (std::size_t length = 0; length < whole.size(); ++length)
             BOOST_TEST(!unpacked(whole.substr(0, length)), length);
         BOOST_TEST(!unpacked(whole + '\0'));
     }
     // Only the bytes of what is stored as it is may change unseen: the seal is there for these.
-    const std::string content = digits(300), whole = pack(content);
+    const std::string content = digits(1000), whole = pack(content);
     for (std::size_t bit = 0; bit < whole.size() * 8; ++bit) {
         std::string flipped = whole;
         flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ 1 << bit % 8);
@@ -94,15 +94,15 @@ BOOST_AUTO_TEST_CASE(a_hostile_length_is_refused_before_room_is_made_for_it) {
 }
 
 BOOST_AUTO_TEST_CASE(a_compressed_text_of_another_length_or_with_something_behind_it_is_refused) {
-    const std::string content = digits(300), whole = pack(content);
+    const std::string content = digits(1000), whole = pack(content);
     StateReader reader(whole);
     reader.group("packed");
     BOOST_REQUIRE(reader.integer() == 1);
-    BOOST_REQUIRE(reader.integer() == 300);
+    BOOST_REQUIRE(reader.integer() == 1000);
     const std::string stored = reader.text();
-    BOOST_TEST(unpacked(packed(true, 300, stored)).value() == content);
-    BOOST_TEST(!unpacked(packed(true, 299, stored)));
-    BOOST_TEST(!unpacked(packed(true, 301, stored)));
-    BOOST_TEST(!unpacked(packed(true, 300, stored + "more")));
-    BOOST_TEST(!unpacked(packed(true, 300, stored.substr(0, stored.size() - 1))));
+    BOOST_TEST(unpacked(packed(true, 1000, stored)).value() == content);
+    BOOST_TEST(!unpacked(packed(true, 999, stored)));
+    BOOST_TEST(!unpacked(packed(true, 1001, stored)));
+    BOOST_TEST(!unpacked(packed(true, 1000, stored + "more")));
+    BOOST_TEST(!unpacked(packed(true, 1000, stored.substr(0, stored.size() - 1))));
 }
