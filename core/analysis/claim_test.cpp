@@ -4,6 +4,7 @@
 #include "analysis/chance.h"
 #include "base/text.h"
 #include "statistics/bootstrap.h"
+#include "statistics/counts.h"
 #include "statistics/effect_size.h"
 #include "statistics/rank_sum.h"
 #include "statistics/summary.h"
