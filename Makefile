@@ -152,6 +152,12 @@ benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and
 	@cmake --build build --parallel $(JOBS) --target benchmarks multineat > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
 	@bash tests/benchmarks/tables.sh build/tests $(BENCHMARK_RUNS) build/benchmarks
 
+REPETITIONS ?= 10000
+power: deps build/CMakeCache.txt ## how often the tests of the claims are wrong, and how often they find what is there: tests/power/*.csv, the same on every machine
+	@cmake --build build --parallel $(JOBS) --target power > build/power.log 2>&1 || { cat build/power.log; exit 1; }
+	@build/tests/power tests/power $(REPETITIONS)
+	@echo 'power: tests/power/power.csv and tests/power/coverage.csv'
+
 # The last generation that `bench` measures in evolving populations of all settings, and the experiment.
 UNTIL ?= 10
 bench: deps build/CMakeCache.txt ## how long a step, an embryo, a query and a life take here, native against Bullet, the pace of evolving populations and what a full replication would take: tests/bench/*.csv
@@ -192,7 +198,7 @@ deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches \
-        build program signature verify-signature torture test-cluster benchmarks bench instructions lint format clean deps deps-paper always
+        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:
@@ -263,6 +269,6 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 # tables of the witness, of sensitivity and of searches where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
-    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv)
+    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv tests/power/*.csv)
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)

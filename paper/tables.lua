@@ -1,19 +1,20 @@
 -- SPDX-License-Identifier: MIT
 -- What paper.tex takes from the tables: numbers for the prose and whole tables, so that nothing on the page that comes
 -- from data is typed by hand. Functions either return TeX text or print a table environment; an absent value shows as a
--- dash. open() is called first, with the folders of the reduced tables and of the frame tables.
+-- dash. open() is called first, with the folders of the reduced tables and of the frame tables; what tests can do is in tests/power.
 local csv = require 'csv'
 local typeset = require 'typeset'
 local escape, show, short, percent_of = typeset.escape, typeset.show, typeset.short, typeset.percent_of
 local row_of, print_tabular = typeset.row_of, typeset.print_tabular
 local tables = {}
-local data, frames
+local data, frames, simulated
 
 -- ---- Data ----
 
 -- Reads every table once.
 function tables.open(data_folder, frames_folder)
-  data, frames = {}, {}
+  data, frames, simulated = {}, {}, {}
+  for _, name in ipairs { 'power', 'coverage' } do simulated[name] = csv.read('tests/power/' .. name .. '.csv') end
   data.manifest = csv.pairs_of(data_folder .. '/manifest.csv')
   for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'claims', 'parameters' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
@@ -80,8 +81,15 @@ function tables.heredity(setting)
   return value and (('%.2f'):format(value):gsub('^%-', '$-$')) or '--'
 end
 
--- Number of claims with a verdict.
+-- Number of claims with a verdict; of those, how many the corrected p decides.
 function tables.verdicts(verdict) return tostring(#csv.where(data.claims, { verdict = verdict })) end
+function tables.corrected(verdict)
+  local count = 0
+  for _, row in ipairs(csv.where(data.claims, { verdict = verdict })) do
+    if row.decided_by:match '_holm$' then count = count + 1 end
+  end
+  return tostring(count)
+end
 function tables.claims_judged() return tostring(#data.claims) end
 
 -- A part of the article that a table carries; nothing without it.
@@ -122,6 +130,33 @@ function tables.parameters_from(origin)
     if (origin == 'paper' and paper) or row.origin == origin then count = count + 1 end
   end
   return tostring(count)
+end
+
+-- ---- What the tests can do ----
+
+-- How often, in per cent, an interval of so many runs holds the truth.
+function tables.coverage(interval, values, runs)
+  local rows = csv.where(simulated.coverage, { interval = interval, values = values, runs = tostring(runs) })
+  return ('%.0f'):format(100 * tonumber(assert(rows[1], 'coverage.csv has no such row').covered))
+end
+
+function tables.power_repetitions() return show(simulated.power[1].repetitions) end
+
+-- How often the tests of the claims say what.
+function tables.print_power()
+  local head = { ' & & \\multicolumn{2}{c}{by $p$} & \\multicolumn{2}{c}{by the corrected $p$} \\\\', '\\cmidrule(lr){3-4}\\cmidrule(l){5-6}',
+    'test & truth & repr. & contr. & repr. & contr. \\\\' }
+  local lines, previous = {}, nil
+  for _, row in ipairs(simulated.power) do
+    if previous and row.test ~= previous then lines[#lines + 1] = '\\addlinespace[2pt]' end
+    local cells = { row.test == previous and '' or escape(row.test), (escape(row.truth):gsub('A12', '$A_{12}$')) }
+    for _, column in ipairs { 'reproduced', 'contradicted', 'reproduced_corrected', 'contradicted_corrected' } do
+      cells[#cells + 1] = percent_of(row[column])
+    end
+    lines[#lines + 1] = row_of(cells)
+    previous = row.test
+  end
+  print_tabular('llrrrr', head, lines)
 end
 
 -- ---- Tables ----
@@ -322,15 +357,22 @@ local function sides(row)
   return short(row.setting_a) .. ' : ' .. short(row.setting_b)
 end
 
+-- A p-value of a row, its method and its correction: p = 0.012 (exact; Holm 0.25).
+local function probability_of(row, column, name, method)
+  if not tonumber(row[column]) then return nil end
+  local function shown(text) return (tonumber(text) < 1e-4 and '' or '= ') .. typeset.probability(text) end
+  return ('%s\\,%s (%s%s)'):format(name, shown(row[column]), method ~= '' and escape(method) .. '; ' or '',
+    'Holm ' .. typeset.probability(row[column .. '_holm']))
+end
+
 -- What was measured for a claim: effect, interval and p; then, quietly, on which runs and when.
 local function evidence(row)
   local measured = {}
   if row.effect ~= '' then
     measured[1] = ('%s = %s'):format(row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first side's"))), typeset.interval(row, 'effect'))
   end
-  if tonumber(row.p) then
-    measured[#measured + 1] = ('\\mbox{$p$ %s%s}'):format(tonumber(row.p) < 1e-4 and '' or '= ', typeset.probability(row.p))
-  end
+  measured[#measured + 1] = probability_of(row, 'p', '$p$', row.method)
+  measured[#measured + 1] = probability_of(row, 'p_equivalence', 'equivalence: $p$', '')
   local runs = row.setting_b ~= '' and show(row.runs_a) .. ' + ' .. show(row.runs_b) or show(row.runs_a)
   local basis = sides(row) .. '; ' .. runs .. ' runs'
   if tonumber(row.at_generation) > 0 then
@@ -341,19 +383,27 @@ local function evidence(row)
   return ('%s%s{\\scriptsize\\color{quiet}%s}'):format(table.concat(measured, '; '), #measured > 0 and '\\newline ' or '', basis)
 end
 
+-- The verdict; marked if the corrected p does not decide it.
+local function verdict_of(row)
+  local alone = row.decided_by == 'p' or row.decided_by == 'p_equivalence'
+  return ('\\verdict{%s}%s'):format(escape(row.verdict), alone and '\\rlap{$^*$}' or '')
+end
+
 -- The claims of the paper with verdicts.
 function tables.print_claims()
   local head = ' & claim & the paper & here & verdict \\\\'
   local lines = { '\\begin{longtable}{@{}l>{\\raggedright}p{4.8cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.3cm}l@{}}',
     '\\caption{The claims of the paper, judged. Effects: $A_{12}$ is the probability that a run of the first side has the '
-    .. 'larger value than one of the second (one half: no difference); intervals are bootstrap intervals; $p$ is that of the two-tailed '
-    .. 'rank-sum test. Small print: sides, runs, generation of the one planned, and what limits a verdict. Open: runs, generations or individuals are missing.}\\label{tab:claims}\\\\',
+    .. 'larger value than one of the second (one half: no difference); intervals are bootstrap intervals, none with fewer than ten runs; $p$ is that of the two-tailed '
+    .. 'test of a difference, with its method and its value corrected after Holm over all $p$ of the table; equivalence: that no difference beyond the stated bound is left. '
+    .. 'Small print: sides, runs, generation of the one planned, and what limits a verdict. A verdict is decided by $p$ alone where it carries an asterisk, else by the corrected $p$ as well. '
+    .. 'Open: runs, generations or individuals are missing.}\\label{tab:claims}\\\\',
     '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
   local previous
   for index, row in ipairs(data.claims) do
     if index > 1 then lines[#lines + 1] = '\\addlinespace' end
-    lines[#lines + 1] = ('%s & %s (%s) & %s & %s & \\verdict{%s} \\\\'):format(row.id == previous and '' or escape(row.id),
-      escape(row.statement), escape(row.section), escape(row.paper), evidence(row), escape(row.verdict))
+    lines[#lines + 1] = ('%s & %s (%s) & %s & %s & %s \\\\'):format(row.id == previous and '' or escape(row.id),
+      escape(row.statement), escape(row.section), escape(row.paper), evidence(row), verdict_of(row))
     previous = row.id
   end
   lines[#lines + 1] = '\\end{longtable}'

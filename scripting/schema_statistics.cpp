@@ -7,11 +7,11 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view statistics_keys[] = {"confidence",   "resamples",    "significance",
-                                                "sample_share", "sample_least", "fitness_classes",
-                                                "endpoints",    "claims"};
-constexpr std::string_view claim_keys[] = {"id", "statement",  "section", "paper", "test", "a",
-                                           "b",  "generation", "expect",  "level", "count"};
+constexpr std::string_view statistics_keys[] = {
+    "confidence",   "resamples",       "interval_runs",      "significance", "sample_share",
+    "sample_least", "fitness_classes", "direction_distance", "endpoints",    "claims"};
+constexpr std::string_view claim_keys[] = {"id", "statement",  "section", "paper", "test",  "a",
+                                           "b",  "generation", "expect",  "level", "count", "bound"};
 
 std::vector<std::string> read_endpoints(Reader &reader, std::span<const Spec> settings, Problems &problems) {
     std::vector<std::string> names;
@@ -45,6 +45,7 @@ Claim read_claim(const Value &table, const Place &place, Problems &problems) {
     claim.expect = reader.text("expect");
     claim.level = reader.number("level").value_or(0);
     claim.count = reader.whole("count");
+    claim.bound = reader.number("bound").value_or(0);
     return claim;
 }
 
@@ -85,6 +86,9 @@ Analysis read_statistics(const Value &table, const Place &place, const std::stri
     analysis.significance = reader.number("significance", true).value_or(0);
     analysis.sample_share = reader.number("sample_share", true).value_or(0);
     if (table.find("sample_least")) analysis.sample_least = reader.whole("sample_least");
+    if (table.find("interval_runs")) analysis.interval_runs = reader.whole("interval_runs");
+    if (table.find("direction_distance"))
+        analysis.direction_distance = reader.number("direction_distance").value_or(0);
     if (table.find("fitness_classes")) analysis.fitness_classes = reader.whole("fitness_classes");
     analysis.endpoint_settings = read_endpoints(reader, settings, problems);
 

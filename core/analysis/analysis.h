@@ -28,6 +28,7 @@ struct Claim {
     std::string expect; // of the rank-sum tests: greater, less or no_difference
     double level = 0;   // of mean_ahead and cyclic
     int count = 0;      // of top_runs, cyclic and elongated
+    double bound = 0;   // of no_difference and cyclic: what is still as good as none
 };
 
 /// What an experiment wants to know of its runs.
@@ -38,35 +39,42 @@ struct Analysis {
     double sample_share = 0;                    // of the individuals that enter the table of end points
     int sample_least = 0;                       // of a smaller run a larger share, so many on average
     double confidence = 0;                      // of all bootstrap intervals
-    int resamples = 0;
-    double significance = 0;  // p-values below this decide
-    int fitness_classes = 20; // between nothing and a run's best; divides 100
-    Parameters design;        // as planned: seeds, generations and population of the whole experiment
+    int resamples = 0;                          // of an interval, and draws of a permutation test
+    int interval_runs = 10;                     // of fewer runs there is no interval
+    double significance = 0;                    // p-values below this decide
+    int fitness_classes = 20;                   // between nothing and a generation's highest; divides 100
+    double direction_distance = 1;              // cells; who moved less has no direction and no side
+    Parameters design; // as planned: seeds, generations and population of the whole experiment
 };
 
-/// The names valid in Claim::test.
+/// The names valid in Claim::test. Every p is two-sided unless said otherwise, and every verdict needs one below the
+/// significance: where so few runs cannot give that, the claim is inconclusive and its note says so. Runs are taken as
+/// independent; that runs of one seed share generation 0 makes p too large rather than too small (decision 0015).
 ///
-/// Rank-sum tests of a against b (effect: A12 with bootstrap interval; two-sided p):
+/// Rank-sum tests of a against b (effect: A12 with bootstrap interval; exact p below 50 runs, with ties as without):
 ///   best_at_generation  best fitness in that generation
 ///   size_entropy        Eq. 8 over the history up to that generation
 ///   fitness_spread      interquartile range of fitness in that generation, over its highest fitness
 ///   direction           mean resultant length of the end directions up to that generation
 ///   side_switches       how often the generation's best changed sides up to that generation
-/// Expecting greater or less, p below the significance and A12 beyond 1/2 on that side reproduces, on the
-/// other side contradicts, else the test is inconclusive. Expecting no_difference, p at or above the
-/// significance and an interval around 1/2 reproduces, neither contradicts, else it is inconclusive.
+/// Expecting greater or less, p below the significance and A12 beyond 1/2 on that side reproduces, on the other side
+/// contradicts. Expecting no_difference, the test of equivalence reproduces: A12 within 1/2 ± `bound`, which p of a
+/// difference that is not significant does not show; without equivalence, a significant difference contradicts.
 ///
-/// Counts:
-///   mean_ahead  share of generations in which the mean best of a is at least that of b, with bootstrap
-///               interval; at least `level` reproduces, an interval below it contradicts
-///   top_runs    how many of the best `count` runs of both are a's; all of them reproduce, fewer than half
-///               contradict; p: chance of so many if the two did not differ (hypergeometric)
-///   elongated   how many of the best `count` runs of both are a's and have a champion more elongated than
-///   the
-///               median of the other runs' champions; judged as top_runs; p: rank-sum of the elongations
-///   cyclic      runs of a whose champion made less than `level` of its way in the last quarter; at most
-///               `count` reproduce, more contradict if they are too many beside the original's `count` of
-///               design.seeds runs (Fisher's exact test, one-sided)
+/// Permutation test of a against b:
+///   mean_ahead  share of generations in which the mean best of a is at least that of b, with bootstrap interval; p: of
+///               the difference of the means over all generations. With p below the significance, a ahead by that mean
+///               and a share of at least `level` reproduce, b ahead contradicts
+///
+/// Counts, with exact p:
+///   top_runs    how many of the best `count` runs of both are a's; with p below the significance all of them reproduce,
+///               fewer than half contradict; p: hypergeometric
+///   elongated   how many of the best `count` runs of both are a's and have a champion more elongated than the median of
+///               all runs; judged as top_runs
+///   cyclic      runs of a whose champion made less than `level` of its way, or of its muscles' changes, in the last
+///               quarter. At most `count` reproduce if they show that the share of such runs is below `bound`
+///               (one-sided binomial test, the p of equivalence); more contradict if they are too many beside the
+///               original's `count` of design.seeds runs (p: Fisher's exact test, one-sided)
 std::span<const std::string_view> claim_tests();
 
 /// Throws InputError with the rule, the value and the nearest name for whatever is wrong in an analysis.

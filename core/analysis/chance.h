@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Probability that the analysis needs beside core/statistics.
+// Where the random streams of the analysis begin.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,7 @@
 
 namespace planula {
 
-/// P(X >= marked) for X the marked ones among `drawn` out of `total`, of which `all_marked` are marked.
-double hypergeometric_tail(int marked, int total, int all_marked, int drawn);
-
-/// A seed for a bootstrap that depends on what the interval is of and on nothing else.
+/// A seed for a bootstrap or a permutation test that depends on what it is of and on nothing else.
 std::uint64_t bootstrap_seed(std::string_view what);
 
 } // namespace planula

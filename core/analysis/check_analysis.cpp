@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,20 @@ void require_setting(const std::string &name, const std::string &where, std::spa
         throw InputError(where + ": there is no setting " + none_called(name, nearest_name(name, names)));
 }
 
+/// A claim that nothing differs states what is still as good as no difference; no other claim has a use for that.
+void check_bound(const Claim &claim, const ClaimTest &test, const std::string &where) {
+    const bool of_ranks = test.needs == ClaimTest::ranks && claim.expect == "no_difference";
+    const bool of_runs = test.needs == ClaimTest::count_of_one;
+    const double highest = of_ranks ? 0.5 : 1;
+    if (!of_ranks && !of_runs && claim.bound != 0)
+        throw InputError(where + ": bound = " + to_text(claim.bound) +
+                         " is of no use: only no_difference and cyclic have one");
+    if ((of_ranks || of_runs) && !(claim.bound > 0 && claim.bound < highest))
+        throw InputError(
+            where + ": bound = " + to_text(claim.bound) + " must be above 0 and below " + to_text(highest) +
+            (of_ranks ? ", how far A12 may be from 1/2" : ", the share of runs without a lasting gait"));
+}
+
 void check_claim(const Claim &claim, std::span<const Spec> settings) {
     const std::string where = "claim '" + claim.id + "'";
     const ClaimTest *test = find_test(claim.test);
@@ -39,6 +54,7 @@ void check_claim(const Claim &claim, std::span<const Spec> settings) {
         std::find(expectations.begin(), expectations.end(), claim.expect) == expectations.end())
         throw InputError(where + ": expect must be greater, less or no_difference, and is " +
                          none_called(claim.expect, nearest_name(claim.expect, expectations)));
+    check_bound(claim, *test, where);
     if (test->needs == ClaimTest::count_of_two && claim.count < 1)
         throw InputError(where + ": count = " + to_text(claim.count) + " must be at least 1");
     if (test->needs == ClaimTest::level_of_two && !(claim.level > 0 && claim.level <= 1))
@@ -63,6 +79,12 @@ void check_analysis(const Analysis &analysis, std::span<const Spec> settings) {
     if (analysis.confidence == 1) throw InputError("statistics: confidence = 1 must be below 1");
     if (analysis.resamples < 1)
         throw InputError("statistics: resamples = " + to_text(analysis.resamples) + " must be at least 1");
+    if (analysis.interval_runs < 1)
+        throw InputError("statistics: interval_runs = " + to_text(analysis.interval_runs) +
+                         " must be at least 1");
+    if (!(analysis.direction_distance >= 0) || std::isinf(analysis.direction_distance))
+        throw InputError("statistics: direction_distance = " + to_text(analysis.direction_distance) +
+                         " must be finite and at least 0");
     if (analysis.sample_least < 0)
         throw InputError("statistics: sample_least = " + to_text(analysis.sample_least) +
                          " must be at least 0");

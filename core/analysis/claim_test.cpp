@@ -4,12 +4,16 @@
 #include "analysis/chance.h"
 #include "base/text.h"
 #include "statistics/bootstrap.h"
+#include "statistics/counts.h"
 #include "statistics/effect_size.h"
+#include "statistics/equivalence.h"
+#include "statistics/permutation.h"
 #include "statistics/rank_sum.h"
 #include "statistics/summary.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -17,31 +21,61 @@ namespace planula {
 
 namespace {
 
-Resampling resampling(const Case &c) {
-    return {c.analysis.confidence, c.analysis.resamples, bootstrap_seed("claim " + c.claim.id), 0};
+std::uint64_t seed_of(const Case &c) { return bootstrap_seed("claim " + c.claim.id); }
+
+/// A bootstrap interval of the statistic; none if there are too few runs.
+void add_interval(const Case &c, std::span<const double> a, std::span<const double> b,
+                  const TwoSampleStatistic &statistic, Finding &finding) {
+    if (static_cast<int>(std::min(a.size(), b.size())) < c.analysis.interval_runs) return;
+    const Interval interval =
+        bootstrap(a, b, statistic, {c.analysis.confidence, c.analysis.resamples, seed_of(c), 0});
+    finding.low = interval.low, finding.high = interval.high;
+}
+
+/// Why nothing is concluded, if no p that so few runs can give would do.
+void explain(const Case &c, double least, const std::string &of_what, Finding &finding) {
+    if (finding.verdict != "inconclusive" || least < c.analysis.significance) return;
+    const double rounded = std::round(least * 1000) / 1000;
+    finding.note = "of so few runs p" + of_what + " is at least " + to_text(rounded);
 }
 
 // ---- Rank-sum tests ----
 
-using Measure = std::function<double(const RunHistory &history, int generations)>;
+using Measure = std::function<Maybe(const RunHistory &history, int generations)>;
 
-std::vector<double> measure_all(const SettingRuns &setting, int generations, const Measure &measure) {
+/// The values of a setting's runs; runs without one are told of in the note.
+std::vector<double> measure_all(const Case &c, const SettingRuns &setting, const Measure &measure,
+                                std::string &note) {
     std::vector<double> values;
-    for (const RunHistory &history : setting.histories) values.push_back(measure(history, generations));
+    for (const RunHistory &history : setting.histories)
+        if (const Maybe value = measure(history, c.generations)) values.push_back(*value);
+    const int without = static_cast<int>(setting.histories.size() - values.size());
+    if (without > 0)
+        note += (note.empty() ? "" : "; ") + to_text(without) + " runs of " + setting.spec->name +
+                " have no such value";
     return values;
 }
 
 Finding compare(const Case &c, const Measure &measure) {
-    const std::vector<double> a = measure_all(*c.a, c.generations, measure);
-    const std::vector<double> b = measure_all(*c.b, c.generations, measure);
-    const double p = rank_sum(a, b).p, effect = a12(a, b);
-    const Interval interval = bootstrap(a, b, a12, resampling(c));
-    return {"A12",
-            effect,
-            interval.low,
-            interval.high,
-            p,
-            rank_verdict(c.claim.expect, p, effect, interval.low, interval.high, c.analysis.significance)};
+    Finding finding{.effect_name = "A12", .verdict = "inconclusive"};
+    std::string note;
+    const std::vector<double> a = measure_all(c, *c.a, measure, note),
+                              b = measure_all(c, *c.b, measure, note);
+    if (!a.empty() && !b.empty()) {
+        const RankSum test = rank_sum(a, b);
+        finding.effect = a12(a, b), finding.p = test.p;
+        finding.method = test.exact ? "exact" : "normal";
+        add_interval(c, a, b, a12, finding);
+        double least = test.least;
+        if (c.claim.expect == "no_difference") {
+            const Equivalence same = equivalence(a, b, c.claim.bound);
+            finding.p_equivalence = same.p, least = same.least;
+        }
+        finding.verdict = rank_verdict(c.claim.expect, finding, c.analysis.significance);
+        explain(c, least, finding.p_equivalence.has_value() ? " of equivalence" : "", finding);
+    }
+    if (!note.empty()) finding.note = note + (finding.note.empty() ? "" : "; ") + finding.note;
+    return finding;
 }
 
 Finding best_at_generation(const Case &c) {
@@ -69,7 +103,7 @@ Finding side_switches(const Case &c) {
         c, [](const RunHistory &h, int generations) { return h.after.at(generations).side_switches; });
 }
 
-// ---- Counts ----
+// ---- The permutation test ----
 
 /// Sums of the best fitness in each generation over the runs that a resample names.
 std::vector<double> summed_curve(const SettingRuns &setting, std::span<const double> runs, int generations) {
@@ -90,70 +124,96 @@ double share_ahead(const Case &c, std::span<const double> runs_a, std::span<cons
     return static_cast<double>(ahead) / c.generations;
 }
 
+/// The mean of each run's curve over all generations.
+std::vector<double> means_of_curves(const SettingRuns &setting, int generations) {
+    std::vector<double> means;
+    for (const RunHistory &history : setting.histories)
+        means.push_back(mean(std::span(history.best).first(static_cast<std::size_t>(generations))));
+    return means;
+}
+
 Finding mean_ahead(const Case &c) {
     // The bootstrap draws whole runs: its values are their places.
     std::vector<double> a(c.a->runs.size()), b(c.b->runs.size());
     std::iota(a.begin(), a.end(), 0.0);
     std::iota(b.begin(), b.end(), 0.0);
-    const double share = share_ahead(c, a, b);
-    const auto statistic = [&](std::span<const double> x, std::span<const double> y) {
-        return share_ahead(c, x, y);
-    };
-    const Interval interval = bootstrap(a, b, statistic, resampling(c));
-    const char *verdict = share >= c.claim.level          ? "reproduced"
-                          : interval.high < c.claim.level ? "contradicted"
-                                                          : "inconclusive";
-    return {"share of generations ahead", share, interval.low, interval.high, std::nullopt, verdict};
+    Finding finding{.effect_name = "share of generations ahead", .effect = share_ahead(c, a, b)};
+    add_interval(
+        c, a, b, [&](std::span<const double> x, std::span<const double> y) { return share_ahead(c, x, y); },
+        finding);
+
+    const Permutation test =
+        permutation_test(means_of_curves(*c.a, c.generations), means_of_curves(*c.b, c.generations),
+                         {c.analysis.resamples, seed_of(c), 0});
+    finding.p = test.p, finding.method = test.exact ? "exact" : "drawn";
+    finding.verdict = "inconclusive";
+    if (test.p < c.analysis.significance) {
+        if (test.difference < 0) finding.verdict = "contradicted";
+        if (test.difference > 0 && *finding.effect >= c.claim.level) finding.verdict = "reproduced";
+    }
+    explain(c, test.least, "", finding);
+    return finding;
 }
 
-/// A run among those of both settings.
+// ---- Counts ----
+
+/// A run among those of both settings: its champion, and whether it is of the kind that a claim is about.
 struct Contender {
     double fitness, elongation;
-    bool of_a;
+    bool of_a, counts;
 };
 
-/// The champions of both settings, best first; of equals those of b come first, which speaks against the
-/// claim.
 std::vector<Contender> contenders(const Case &c) {
     std::vector<Contender> all;
-    for (const SettingRuns *setting : {c.b, c.a})
+    for (const SettingRuns *setting : {c.a, c.b})
         for (const RunHistory &history : setting->histories) {
             const ChampionRow &champion = history.after.at(c.generations).champion;
-            all.push_back({champion.fitness, champion.elongation, setting == c.a});
+            all.push_back({champion.fitness, champion.elongation, setting == c.a, setting == c.a});
         }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Contender &x, const Contender &y) { return x.fitness > y.fitness; });
     return all;
 }
 
-Finding top_runs(const Case &c) {
-    const std::vector<Contender> all = contenders(c);
+/// How many of the best `count` are of the kind, if of equal fitness those that are not come first, or those that are.
+int count_best(std::vector<Contender> all, int count, bool kind_first) {
+    std::sort(all.begin(), all.end(), [&](const Contender &x, const Contender &y) {
+        if (x.fitness != y.fitness) return x.fitness > y.fitness;
+        return kind_first ? x.counts > y.counts : x.counts < y.counts;
+    });
+    return static_cast<int>(
+        std::count_if(all.begin(), all.begin() + count, [](const Contender &x) { return x.counts; }));
+}
+
+/// Judges the best runs. Equal fitness speaks against either verdict.
+Finding judge_best(const Case &c, const std::vector<Contender> &all, const std::string &effect_name) {
     const int total = static_cast<int>(all.size()), count = std::min(c.claim.count, total);
-    const auto found = static_cast<int>(
-        std::count_if(all.begin(), all.begin() + count, [](const Contender &x) { return x.of_a; }));
-    const double p = hypergeometric_tail(found, total, static_cast<int>(c.a->runs.size()), count);
-    return {"a's runs among the best " + to_text(c.claim.count),
-            found,
-            std::nullopt,
-            std::nullopt,
-            p,
-            top_verdict(found, c.claim.count)};
+    const int kind =
+        static_cast<int>(std::count_if(all.begin(), all.end(), [](const Contender &x) { return x.counts; }));
+    const int least = count_best(all, count, false), most = count_best(all, count, true);
+    const auto so_many = [&](int found) { return hypergeometric_tail(found, total, kind, count); };
+    const auto so_few = [&](int found) {
+        return hypergeometric_tail(count - found, total, total - kind, count);
+    };
+    const auto two_sided = [](double one, double other) { return std::min(1.0, 2 * std::min(one, other)); };
+
+    Finding finding{.effect_name = effect_name, .effect = least};
+    finding.p = two_sided(so_many(least), so_few(most)), finding.method = "exact";
+    finding.verdict = top_verdict(least, most, c.claim.count, *finding.p, c.analysis.significance);
+    const int highest = std::min(count, kind), lowest = std::max(0, count + kind - total);
+    explain(c, two_sided(so_many(highest), so_few(lowest)), "", finding);
+    return finding;
+}
+
+Finding top_runs(const Case &c) {
+    return judge_best(c, contenders(c), "a's runs among the best " + to_text(c.claim.count));
 }
 
 Finding elongated(const Case &c) {
-    const std::vector<Contender> all = contenders(c);
-    const auto count = std::min(static_cast<std::size_t>(c.claim.count), all.size());
-    std::vector<double> top, rest;
-    for (std::size_t i = 0; i < all.size(); ++i) (i < count ? top : rest).push_back(all[i].elongation);
-    const std::string name = "a's and elongated among the best " + to_text(c.claim.count);
-    if (rest.empty()) return {name, std::nullopt, std::nullopt, std::nullopt, std::nullopt, "inconclusive"};
-
-    const double usual = median(rest);
-    const auto found =
-        static_cast<int>(std::count_if(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count),
-                                       [&](const Contender &x) { return x.of_a && x.elongation > usual; }));
-    return {
-        name, found, std::nullopt, std::nullopt, rank_sum(top, rest).p, top_verdict(found, c.claim.count)};
+    std::vector<Contender> all = contenders(c);
+    std::vector<double> elongations;
+    for (const Contender &contender : all) elongations.push_back(contender.elongation);
+    const double usual = median(elongations);
+    for (Contender &contender : all) contender.counts = contender.of_a && contender.elongation > usual;
+    return judge_best(c, all, "a's and elongated among the best " + to_text(c.claim.count));
 }
 
 Finding cyclic(const Case &c) {
@@ -167,11 +227,15 @@ Finding cyclic(const Case &c) {
     // The original's runs and ours together: how often would chance give ours so many?
     const int ours = static_cast<int>(c.a->runs.size()), original = c.analysis.design.seeds;
     const int stuck = found + std::min(c.claim.count, original);
-    const double p = hypergeometric_tail(found, ours + original, stuck, ours);
-    const char *verdict = found <= c.claim.count        ? "reproduced"
-                          : p < c.analysis.significance ? "contradicted"
-                                                        : "inconclusive";
-    return {"runs without a lasting gait", found, std::nullopt, std::nullopt, p, verdict};
+    Finding finding{.effect_name = "runs without a lasting gait", .effect = found};
+    finding.p = hypergeometric_tail(found, ours + original, stuck, ours), finding.method = "exact";
+    finding.p_equivalence = binomial_lower_tail(found, ours, c.claim.bound);
+    finding.verdict = "inconclusive";
+    if (found > c.claim.count && *finding.p < c.analysis.significance) finding.verdict = "contradicted";
+    if (found <= c.claim.count && *finding.p_equivalence < c.analysis.significance)
+        finding.verdict = "reproduced";
+    explain(c, binomial_lower_tail(0, ours, c.claim.bound), " of equivalence", finding);
+    return finding;
 }
 
 // ---- The list of tests ----
@@ -204,21 +268,22 @@ const ClaimTest *find_test(std::string_view name) {
     return found == tests.end() ? nullptr : &*found;
 }
 
-std::string rank_verdict(std::string_view expect, double p, double effect, double low, double high,
-                         double significance) {
+std::string rank_verdict(std::string_view expect, const Finding &finding, double significance) {
     constexpr double even = 0.5;
-    const bool differs = p < significance, around = low <= even && even <= high;
+    const bool differs = finding.p.value() < significance;
     if (expect == "no_difference") {
-        if (differs != around) return differs ? "contradicted" : "reproduced";
-        return "inconclusive";
+        if (finding.p_equivalence.value() < significance) return "reproduced";
+        return differs ? "contradicted" : "inconclusive";
     }
+    const double effect = finding.effect.value();
     if (!differs || effect == even) return "inconclusive";
     return (effect > even) == (expect == "greater") ? "reproduced" : "contradicted";
 }
 
-std::string top_verdict(int found, int count) {
-    if (found == count) return "reproduced";
-    return 2 * found < count ? "contradicted" : "inconclusive";
+std::string top_verdict(int least, int most, int count, double p, double significance) {
+    if (p >= significance) return "inconclusive";
+    if (least == count) return "reproduced";
+    return 2 * most < count ? "contradicted" : "inconclusive";
 }
 
 } // namespace planula

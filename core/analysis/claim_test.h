@@ -23,14 +23,17 @@ struct Case {
 /// What a test says.
 struct Finding {
     std::string effect_name;
-    Maybe effect, low, high, p;
-    std::string verdict;
+    Maybe effect, low, high; // low and high: of the bootstrap interval, none with too few runs
+    Maybe p;                 // of a difference, or of so many
+    std::string method;      // how p was computed: exact, normal or drawn
+    Maybe p_equivalence;     // of no difference beyond the claim's bound
+    std::string verdict, note;
 };
 
 struct ClaimTest {
     std::string_view name;
-    /// What of a claim the test uses: `expect` and two settings, `level` and two, `count` and two, or `level`
-    /// and `count` and setting a alone.
+    /// What of a claim the test uses: `expect`, of no difference also `bound`, and two settings; `level` and two; `count`
+    /// and two; or `level`, `count`, `bound` and setting a alone.
     enum Needs { ranks, level_of_two, count_of_two, count_of_one } needs;
     Finding (*judge)(const Case &);
 
@@ -40,11 +43,10 @@ struct ClaimTest {
 /// The test of that name; null if there is none.
 const ClaimTest *find_test(std::string_view name);
 
-/// The verdict of a rank-sum test: `effect` is A12 with its interval low … high.
-std::string rank_verdict(std::string_view expect, double p, double effect, double low, double high,
-                         double significance);
+/// The verdict of a rank-sum test, from its p and its effect A12; expecting no difference, from both of its p.
+std::string rank_verdict(std::string_view expect, const Finding &finding, double significance);
 
-/// The verdict on `found` out of `count` runs that were all expected.
-std::string top_verdict(int found, int count);
+/// The verdict on `count` runs that were all expected, of which at least `least` and at most `most` are there.
+std::string top_verdict(int least, int most, int count, double p, double significance);
 
 } // namespace planula

@@ -4,6 +4,7 @@
 #include "analysis/claim_test.h"
 #include "base/check.h"
 #include "base/text.h"
+#include "statistics/holm.h"
 
 #include <algorithm>
 #include <string>
@@ -67,6 +68,15 @@ std::string shortfall(const Case &c) {
     return note;
 }
 
+/// By which p a verdict is decided; empty if by none.
+std::string deciding(const ClaimRow &row, double significance) {
+    if (row.verdict != "reproduced" && row.verdict != "contradicted") return "";
+    const bool equivalence = row.verdict == "reproduced" && row.p_equivalence.has_value();
+    const std::string name = equivalence ? "p_equivalence" : "p";
+    const Maybe corrected = equivalence ? row.p_equivalence_holm : row.p_holm;
+    return corrected.has_value() && *corrected < significance ? name + "_holm" : name;
+}
+
 } // namespace
 
 int generations_of(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings) {
@@ -96,8 +106,24 @@ ClaimRow judge_claim(const Claim &claim, const Analysis &analysis, std::span<con
             .low = finding.low,
             .high = finding.high,
             .p = finding.p,
+            .method = finding.method,
+            .p_equivalence = finding.p_equivalence,
             .verdict = note.empty() ? finding.verdict : "open",
-            .note = note};
+            .note = note.empty() ? finding.note : note};
+}
+
+void correct_claims(std::span<ClaimRow> rows, double significance) {
+    std::vector<double> values;
+    for (const ClaimRow &row : rows)
+        for (const Maybe &p : {row.p, row.p_equivalence})
+            if (p.has_value()) values.push_back(*p);
+    const std::vector<double> corrected = holm(values);
+    auto next = corrected.begin();
+    for (ClaimRow &row : rows) {
+        if (row.p.has_value()) row.p_holm = *next++;
+        if (row.p_equivalence.has_value()) row.p_equivalence_holm = *next++;
+        row.decided_by = deciding(row, significance);
+    }
 }
 
 } // namespace planula

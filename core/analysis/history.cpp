@@ -2,9 +2,11 @@
 #include "analysis/history.h"
 
 #include "base/check.h"
+#include "experiment/sample.h"
 #include "statistics/entropy.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace planula {
 
@@ -13,14 +15,14 @@ namespace {
 /// What accumulates over the generations of a run.
 class Tally {
   public:
-    explicit Tally(int population) : population_(population) {}
+    Tally(int population, double direction_distance)
+        : population_(population), direction_distance_(direction_distance) {}
 
     void add(const GenerationRow &row) {
         last_ = row;
-        moved_ += row.moved;
-        heading_ += {row.heading_x, row.heading_y};
 
-        // On which side the best ended; the middle counts for neither.
+        // On which side the best ended; where it rested counts for neither.
+        if (std::abs(row.best_x) < direction_distance_) return;
         const int side = (row.best_x > 0) - (row.best_x < 0);
         if (side == 0) return;
         switches_ += side_ != 0 && side != side_;
@@ -41,18 +43,58 @@ class Tally {
         facts.valid_share = static_cast<double>(last_.valid) / population_;
         if (last_.best_fitness > 0)
             facts.fitness_spread = (last_.fitness_high - last_.fitness_low) / last_.best_fitness;
-        if (moved_ > 0) facts.direction_resultant = length(heading_) / static_cast<double>(moved_);
         facts.side_switches = switches_;
         return facts;
     }
 
   private:
     int population_;
+    double direction_distance_;
     GenerationRow last_;
     std::map<int, std::int64_t> sizes_; // individuals by cell count
-    std::int64_t moved_ = 0;
-    Vec2d heading_; // sum of unit vectors
     int side_ = 0, switches_ = 0;
+};
+
+/// Where the sampled individuals of a run went that moved.
+class Headings {
+  public:
+    Headings(const RecordedRun &run, int generations, double direction_distance)
+        : population_(run.population) {
+        each_individual(run, generations, [&](const IndividualRow &row) {
+            const Vec2d moved{row.end_x - row.rest_x, row.end_y - row.rest_y};
+            const double distance = length(moved),
+                         lot_ = lot(static_cast<std::uint64_t>(run.seed), row.generation, row.slot);
+            if (distance == 0 || distance < direction_distance || lot_ >= share_after(row.generation + 1))
+                return;
+            headings_.push_back({row.generation, lot_, moved / distance});
+        });
+    }
+
+    /// The length of their mean over those in the sample of a run of so many generations.
+    Maybe resultant(int generations) const {
+        Vec2d sum;
+        double count = 0;
+        for (const Heading &heading : headings_) {
+            if (heading.generation >= generations || heading.lot >= share_after(generations)) continue;
+            sum += heading.unit;
+            ++count;
+        }
+        return count > 0 ? Maybe(length(sum) / count) : std::nullopt;
+    }
+
+  private:
+    struct Heading {
+        int generation;
+        double lot;
+        Vec2d unit;
+    };
+
+    double share_after(int generations) const {
+        return sample_share(recorded_share, recorded_least, population_, generations);
+    }
+
+    int population_;
+    std::vector<Heading> headings_;
 };
 
 /// The rows of a table whose generations ascend, a generation at a time.
@@ -133,13 +175,14 @@ const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int
     return *(later - 1);
 }
 
-RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes) {
+RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes,
+                        double direction_distance) {
     CHECK(!marks.empty() && marks.front() >= 1 && marks.back() <= run.generations, run.seed);
     CHECK(fitness_classes >= 1 && 100 % fitness_classes == 0, fitness_classes);
     const std::vector<ChampionRow> champions = read_champions(run);
     RunHistory history;
     history.seed = run.seed;
-    Tally tally(run.population);
+    Tally tally(run.population, direction_distance);
     TableReader<GenerationRow> generations(run.folder);
     ByGeneration<SizeRow> sizes(run);
     for (int number = 0; number < marks.back(); ++number) {
@@ -155,6 +198,9 @@ RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int 
         if (std::binary_search(marks.begin(), marks.end(), number + 1))
             history.after[number + 1] = tally.facts(champion_after(champions, number + 1));
     }
+    const Headings headings(run, marks.back(), direction_distance);
+    for (auto &[generation, facts] : history.after)
+        facts.direction_resultant = headings.resultant(generation);
     history.fitness_shares = read_fitness_shares(run, marks.back() - 1, fitness_classes);
     return history;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the analysis knows of one run, gathered while its tables are read once, row by row: memory does not
-// grow with the number of individuals. Everything but the rows of single individuals comes from tables that are
-// the same whether a run is recorded in full or as a sample.
+// grow with the number of individuals. Everything comes from tables that are the same whether a run is recorded in full
+// or as a sample, or of the individuals that both record.
 #pragma once
 
 #include "base/text.h"
@@ -18,13 +18,15 @@ namespace planula {
 
 /// What a run had come to after a number of generations.
 struct RunFacts {
-    ChampionRow champion;           // the best individual so far
-    double size_entropy = 0;        // Eq. 8: cell counts of all individuals with fitness above 0, nats
-    std::int64_t viable = 0;        // those individuals
-    double valid_share = 0;         // of the last of these generations
-    double fitness_spread = 0;      // interquartile range over the highest fitness, valid, last generation
-    double direction_resultant = 0; // mean resultant length of the end directions of all that moved
-    int side_switches = 0;          // of the best of each generation
+    ChampionRow champion;    // the best individual so far
+    double size_entropy = 0; // Eq. 8: cell counts of all individuals with fitness above 0, nats
+    std::int64_t viable = 0; // those individuals
+    double valid_share = 0;  // of the last of these generations
+    Maybe
+        fitness_spread; // interquartile range over the highest fitness, valid, last generation; none if that is 0
+    Maybe
+        direction_resultant; // mean resultant length of the end directions of those that moved; none without any
+    int side_switches = 0; // of the best of each generation that moved to a side
 };
 
 /// A run as it was after some generations, which may be fewer than it has.
@@ -47,9 +49,12 @@ std::vector<ChampionRow> read_champions(const RecordedRun &run);
 const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations);
 
 /// Reads a run up to the last of the marks, which ascend from at least 1 to at most the run's generations.
-/// `after` has an entry for each mark. `fitness_classes` divides 100. Throws InputError with file and line if the
-/// tables are not those of a run.
-RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes);
+/// `after` has an entry for each mark. `fitness_classes` divides 100. Who ends nearer than `direction_distance`, in cells,
+/// to where it rested has no direction. Directions are those of the individuals in the sample of a run that ends at the
+/// mark (experiment/sample.h), however the run is recorded. Throws InputError with file and line if the tables are not
+/// those of a run.
+RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes,
+                        double direction_distance);
 
 /// Calls visit(row) for each recorded individual of the first generations, in order. Throws InputError with file and
 /// line if they are not in order, or not all there in a run that is recorded in full.

@@ -50,7 +50,8 @@ void read_histories(const Analysis &analysis, std::vector<SettingRuns> &settings
     parallel_for(static_cast<int>(tasks.size()), reading_threads(), [&](int i) {
         const auto &[setting, run, marks] = tasks[i];
         check_files(setting->runs[run]);
-        setting->histories[run] = read_history(setting->runs[run], marks, analysis.fitness_classes);
+        setting->histories[run] =
+            read_history(setting->runs[run], marks, analysis.fitness_classes, analysis.direction_distance);
     });
 }
 
@@ -121,6 +122,7 @@ void write_claims(const Analysis &analysis, std::span<const SettingRuns> setting
     std::vector<ClaimRow> rows(analysis.claims.size());
     parallel_for(static_cast<int>(rows.size()), reading_threads(),
                  [&](int i) { rows[i] = judge_claim(analysis.claims[i], analysis, settings); });
+    correct_claims(rows, analysis.significance);
     write_table<ClaimRow>(out, rows);
 }
 

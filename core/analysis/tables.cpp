@@ -25,21 +25,31 @@ template <class Make> auto from_runs(const SettingRuns &setting, Make &&make) {
     return values;
 }
 
+/// The interval of a mean over runs; none if there are too few.
+struct MaybeInterval {
+    Maybe low, high;
+};
+MaybeInterval interval_of_mean(std::span<const double> of_runs, const Analysis &analysis,
+                               const std::string &what) {
+    if (static_cast<int>(of_runs.size()) < analysis.interval_runs) return {};
+    const Interval interval =
+        bootstrap_mean(of_runs, {analysis.confidence, analysis.resamples, bootstrap_seed(what), 0});
+    return {interval.low, interval.high};
+}
+
 /// The mean over runs of one value of each generation, with its bootstrap interval.
 template <class Row>
 std::vector<Row> mean_over_runs(const SettingRuns &setting, const Analysis &analysis, const std::string &what,
                                 std::vector<double> RunHistory::*values) {
     // One stream for all generations: each resample draws whole runs, so that the band is as smooth as they
     // are.
-    const Resampling resampling{analysis.confidence, analysis.resamples,
-                                bootstrap_seed(what + " " + setting.spec->name), 0};
     std::vector<Row> rows;
     for (int generation = 0; generation < setting.generations; ++generation) {
         const std::vector<double> of_runs =
             from_runs(setting, [&](const RunHistory &history, const RunFacts &) {
                 return (history.*values)[static_cast<std::size_t>(generation)];
             });
-        const Interval interval = bootstrap_mean(of_runs, resampling);
+        const MaybeInterval interval = interval_of_mean(of_runs, analysis, what + " " + setting.spec->name);
         rows.push_back(
             {setting.spec->name, generation, count_of(setting), mean(of_runs), interval.low, interval.high});
     }
@@ -139,8 +149,7 @@ std::vector<HeredityRow> heredity_rows(const SettingRuns &setting) {
 EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis) {
     const std::vector<double> entropies =
         from_runs(setting, [](const RunHistory &, const RunFacts &facts) { return facts.size_entropy; });
-    const Interval interval = bootstrap_mean(entropies, {analysis.confidence, analysis.resamples,
-                                                         bootstrap_seed("entropy " + setting.spec->name), 0});
+    const MaybeInterval interval = interval_of_mean(entropies, analysis, "entropy " + setting.spec->name);
     return {setting.spec->name, count_of(setting), mean(entropies),
             interval.low,       interval.high,     median(entropies)};
 }

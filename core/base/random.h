@@ -17,6 +17,7 @@ enum class Purpose : std::uint32_t {
     bootstrap = 3,
     sampling = 4,
     start = 5,
+    permutation = 6,
 };
 
 /// One block of Philox4x32-10: 128 random bits of a 128-bit counter and a 64-bit key.

@@ -15,27 +15,48 @@ namespace planula {
 
 namespace {
 
-/// P(U = u) for u = 0 … m·n without ties. The largest value of all belongs to the first sample with
-/// probability m/(m + n), and then exceeds all n of the second: no term is ever subtracted.
-std::vector<double> exact_distribution(std::size_t m, std::size_t n) {
-    std::vector<std::vector<double>> row(m + 1, std::vector<double>(m * n + 1));
-    for (auto &of_i : row) of_i[0] = 1;
-    for (std::size_t j = 1; j <= n; ++j)
-        for (std::size_t i = 1; i <= m; ++i) {
-            const double first_wins = static_cast<double>(i) / static_cast<double>(i + j);
-            for (std::size_t u = 0; u <= i * j; ++u)
-                row[i][u] = (1 - first_wins) * row[i][u] + (u >= j ? first_wins * row[i - 1][u - j] : 0);
-        }
-    return row[m];
+/// Ranks as whole numbers, ascending: doubled, since the mean rank of an even number of equal values ends in a half.
+std::vector<std::size_t> doubled_ranks(const Ranks &pooled) {
+    std::vector<std::size_t> doubled;
+    for (const double rank : pooled.of) doubled.push_back(static_cast<std::size_t>(2 * rank));
+    std::sort(doubled.begin(), doubled.end());
+    return doubled;
 }
 
-/// Twice the smaller tail of the exact distribution, at most 1; U is symmetric about m·n/2.
-double exact_p(double statistic, std::size_t m, std::size_t n) {
-    const std::vector<double> probability = exact_distribution(m, n);
-    const double lower = std::min(statistic, static_cast<double>(m * n) - statistic);
-    double tail = 0;
-    for (std::size_t u = 0; u <= static_cast<std::size_t>(lower); ++u) tail += probability[u];
-    return std::min(1.0, 2 * tail);
+/// The number of ways to choose m of the ranks, by their sum: count[s] have sum s. All ways are equally likely if the two
+/// samples do not differ, whatever ties there are.
+std::vector<double> count_sums(const std::vector<std::size_t> &ranks, std::size_t m) {
+    const std::size_t largest =
+        std::accumulate(ranks.end() - static_cast<std::ptrdiff_t>(m), ranks.end(), std::size_t{0});
+    std::vector<std::vector<double>> ways(m + 1, std::vector<double>(largest + 1));
+    ways[0][0] = 1;
+    // One rank after the other is chosen or not; the i chosen are none above it.
+    for (const std::size_t rank : ranks)
+        for (std::size_t i = m; i >= 1; --i)
+            for (std::size_t sum = std::min(i * rank, largest); sum >= rank; --sum)
+                ways[i][sum] += ways[i - 1][sum - rank];
+    return ways[m];
+}
+
+/// The probability of a sum at least as far from the middle as this one.
+double tail(const std::vector<double> &ways, double middle, double sum) {
+    double beyond = 0, all = 0;
+    for (std::size_t s = 0; s < ways.size(); ++s) {
+        all += ways[s];
+        if (std::abs(static_cast<double>(s) - middle) >= std::abs(sum - middle)) beyond += ways[s];
+    }
+    return std::min(1.0, beyond / all);
+}
+
+RankSum exact_test(const Ranks &pooled, std::size_t m, double sum_of_a, double statistic) {
+    const std::vector<std::size_t> doubled = doubled_ranks(pooled);
+    const std::vector<double> ways = count_sums(doubled, m);
+    const double middle = static_cast<double>(m * (doubled.size() + 1)); // twice the mean rank, m times
+    const auto smallest = static_cast<double>(
+        std::accumulate(doubled.begin(), doubled.begin() + static_cast<std::ptrdiff_t>(m), std::size_t{0}));
+    const auto largest = static_cast<double>(ways.size() - 1);
+    const double farthest = middle - smallest > largest - middle ? smallest : largest;
+    return {statistic, tail(ways, middle, 2 * sum_of_a), tail(ways, middle, farthest), true};
 }
 
 double normal_p(double statistic, double m, double n, double tie_cubes) {
@@ -59,13 +80,11 @@ RankSum rank_sum(std::span<const double> a, std::span<const double> b, RankSumMe
         std::accumulate(pooled_ranks.of.begin(), pooled_ranks.of.begin() + std::ssize(a), 0.0);
     const double statistic = sum_of_a - m * (m + 1) / 2;
 
-    constexpr std::size_t exact_below = 50; // as R's wilcox.test
     const bool small = a.size() < exact_below && b.size() < exact_below;
-    const bool wanted = method == RankSumMethod::exact || (method == RankSumMethod::automatic && small);
-    const bool exact = wanted && pooled_ranks.tie_cubes == 0;
-    const double p =
-        exact ? exact_p(statistic, a.size(), b.size()) : normal_p(statistic, m, n, pooled_ranks.tie_cubes);
-    return {statistic, p, exact};
+    if (method == RankSumMethod::exact || (method == RankSumMethod::automatic && small))
+        return exact_test(pooled_ranks, a.size(), sum_of_a, statistic);
+    return {statistic, normal_p(statistic, m, n, pooled_ranks.tie_cubes),
+            normal_p(0, m, n, pooled_ranks.tie_cubes), false};
 }
 
 } // namespace planula

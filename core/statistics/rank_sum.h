@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The two-sided Wilcoxon rank-sum (Mann–Whitney) test of the paper's comparisons (§3.2, 3.3;
-// decision 0015), with the conventions of R's wilcox.test.
+// The two-sided Wilcoxon rank-sum (Mann–Whitney) test of the paper's comparisons (§3.2, 3.3; decision 0015). Without
+// ties it is R's wilcox.test; with ties small samples are tested exactly as well, as by coin::wilcox_test(distribution =
+// "exact"): given the values, every way to share them out is equally likely. The samples are taken as independent.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 namespace planula {
 
 enum class RankSumMethod {
-    automatic, // exact if both samples are smaller than 50 and there are no ties, else normal
-    exact,     // exact unless there are ties
-    normal     // normal approximation, corrected for ties and for continuity
+    automatic, // exact if both samples are smaller than `exact_below`, else normal
+    exact,
+    normal // normal approximation, corrected for ties and for continuity
 };
+inline constexpr std::size_t exact_below = 50; // as R's wilcox.test
 
 struct RankSum {
     double statistic; // pairs in which a exceeds b, ties counting half: R's W, Mann and Whitney's U
-    double p;         // two-sided
+    double p;         // two-sided: the probability of a statistic at least as far from its mean
+    double least;     // the smallest p that these values can give, however they are shared out
     bool exact;       // whether p is exact
 };
 

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(what_decides_no_life_leaves_a_run_the_run_it_is) {
              {"statistics", "resamples = 100, significance = 0.05", "resamples = 200, significance = 0.01"},
              {"a claim", "claims = {}",
               "claims = { { id = 'S1', statement = 's', section = '1', paper = 'p', test = 'cyclic',\n"
-              "a = 'small', level = 0.1, count = 1 } }"},
+              "a = 'small', level = 0.1, count = 1, bound = 0.25 } }"},
              {"a value that no function reads", "local half", "local unread = 7 local half"},
              {"a value of a module that no function reads", "unread = 3", "unread = 4", {}, "rules.lua"},
              {"a standard value that is stated", "population = 6", "population = 6, link_limit = 1.5"},

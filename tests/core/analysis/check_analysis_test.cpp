@@ -26,6 +26,7 @@ BOOST_AUTO_TEST_CASE(a_sound_analysis_passes) {
         BOOST_TEST(refusal([&](Analysis &a) {
                        a.claims = {fake_claim(std::string(test), "greater")};
                        a.claims[0].level = 0.5, a.claims[0].count = 3;
+                       a.claims[0].bound = test == "cyclic" ? 0.25 : 0;
                    }) == "",
                    test);
     }
@@ -56,6 +57,10 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_with_rule_and_value) {
                "statistics: resamples = 0 must be at least 1");
     BOOST_TEST(refusal([](Analysis &a) { a.sample_least = -1; }) ==
                "statistics: sample_least = -1 must be at least 0");
+    BOOST_TEST(refusal([](Analysis &a) { a.interval_runs = 0; }) ==
+               "statistics: interval_runs = 0 must be at least 1");
+    BOOST_TEST(refusal([](Analysis &a) { a.direction_distance = -1; }) ==
+               "statistics: direction_distance = -1 must be finite and at least 0");
     for (const int classes : {-1, 0, 3, 30, 101, 200, 2147483647})
         BOOST_TEST(refusal([&](Analysis &a) { a.fitness_classes = classes; }) ==
                    "statistics: fitness_classes = " + std::to_string(classes) +
@@ -68,4 +73,18 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_with_rule_and_value) {
                "claim 'S': count = 0 must be at least 1");
     BOOST_TEST(refusal([](Analysis &a) { a.claims[0].test = "mean_ahead"; }) ==
                "claim 'S': level = 0 must be above 0 and at most 1");
+}
+
+BOOST_AUTO_TEST_CASE(a_claim_of_no_difference_states_its_bound) {
+    for (const double bound : {0.0, 0.5, -0.1})
+        BOOST_TEST(refusal([&](Analysis &a) {
+                       a.claims[0].expect = "no_difference", a.claims[0].bound = bound;
+                   }) == "claim 'S': bound = " + to_text(bound) +
+                             " must be above 0 and below 0.5, how far A12 may be from 1/2");
+    BOOST_TEST(refusal([](Analysis &a) { a.claims[0].expect = "no_difference", a.claims[0].bound = 0.21; }) ==
+               "");
+    BOOST_TEST(refusal([](Analysis &a) { a.claims[0].bound = 0.21; }) ==
+               "claim 'S': bound = 0.21 is of no use: only no_difference and cyclic have one");
+    BOOST_TEST(refusal([](Analysis &a) { a.claims[0].test = "cyclic", a.claims[0].level = 0.1; }) ==
+               "claim 'S': bound = 0 must be above 0 and below 1, the share of runs without a lasting gait");
 }

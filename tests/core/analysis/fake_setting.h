@@ -17,6 +17,7 @@ inline Analysis fake_analysis() {
     analysis.sample_share = 0.5;
     analysis.confidence = 0.95;
     analysis.resamples = 500;
+    analysis.interval_runs = 3;
     analysis.significance = 0.05;
     analysis.design.seeds = 6;
     analysis.design.generations = 10;
@@ -36,7 +37,8 @@ inline Claim fake_claim(const std::string &test, const std::string &expect = "")
             .test = test,
             .a = "ns",
             .b = "neat",
-            .expect = expect};
+            .expect = expect,
+            .bound = expect == "no_difference" ? 0.4 : 0};
 }
 
 /// Runs whose best fitness is the same in every generation: one run per value. Seeds count from 1.
@@ -58,8 +60,8 @@ inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &val
         history.heredity.assign(history.best.size(), {.heredity_fitness = values[i], .near_best = values[i]});
         for (int after = 1; after <= run.generations; ++after) {
             RunFacts &facts = history.after[after];
-            facts.champion.fitness = facts.size_entropy = facts.fitness_spread = values[i];
-            facts.direction_resultant = values[i];
+            facts.champion.fitness = facts.size_entropy = values[i];
+            facts.fitness_spread = facts.direction_resultant = values[i];
             facts.side_switches = static_cast<int>(values[i]);
             facts.champion.late_share = facts.champion.late_actuation = 0.25;
             facts.champion.elongation = 2;

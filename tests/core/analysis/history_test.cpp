@@ -28,7 +28,7 @@ RecordedRun recorded(const TemporaryFolder &folder, int generations = 4, int pop
 }
 
 RunHistory history_of(const RecordedRun &run, const std::vector<int> &marks) {
-    return read_history(run, marks, 4);
+    return read_history(run, marks, 4, 1);
 }
 
 std::string individuals(const RecordedRun &run) {
@@ -56,13 +56,13 @@ BOOST_AUTO_TEST_CASE(facts_are_what_a_pencil_finds) {
     BOOST_TEST(early.champion.fitness == 15);
     BOOST_TEST(early.champion.generation == 1);
     BOOST_TEST(early.side_switches == 1);
-    BOOST_TEST(early.direction_resultant == 0, tolerance(1e-12));
+    BOOST_TEST(early.direction_resultant.value() < 1e-12);
 
     // After four: half left and half right; fitness 4, 6, 8, 10 in the last generation.
     const RunFacts &late = history.after.at(4);
     BOOST_TEST(late.champion.fitness == 15);
     BOOST_TEST(late.valid_share == 0.8);
-    BOOST_TEST(late.fitness_spread == (8.5 - 5.5) / 10, tolerance(1e-12));
+    BOOST_TEST(late.fitness_spread.value() == (8.5 - 5.5) / 10, tolerance(1e-12));
     BOOST_TEST(late.side_switches == 2);
     BOOST_TEST(late.viable == 16);
 }
@@ -86,7 +86,37 @@ BOOST_AUTO_TEST_CASE(heredity_is_that_of_every_generation) {
 BOOST_AUTO_TEST_CASE(all_in_one_direction_have_the_resultant_one) {
     const TemporaryFolder folder;
     const RunHistory history = history_of(recorded(folder, 1), {1});
-    BOOST_TEST(history.after.at(1).direction_resultant == 1, tolerance(1e-12));
+    BOOST_TEST(history.after.at(1).direction_resultant.value() == 1, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(who_stands_still_has_no_direction_and_no_side) {
+    // Slot 0 moves two cells up, the others tremble, ever more of them to the left: all that move go one way.
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("ns", 4, 6), 1, [](int generation, int slot) {
+        if (slot == 0) return FakeLife{.fitness = 9, .moved = {generation % 2 ? 0.5 : -0.5, 2}};
+        return FakeLife{.fitness = 1, .moved = {slot % 3 ? -0.9 : 0.9, 0}};
+    });
+    const RecordedRun run = open_run(place);
+    const std::vector<int> marks{4};
+    const RunFacts facts = read_history(run, marks, 4, 1).after.at(4);
+    BOOST_TEST(facts.direction_resultant.value() == 2 / std::sqrt(4.25), tolerance(1e-12));
+    BOOST_TEST(facts.side_switches == 0);
+    const RunFacts trembling = read_history(run, marks, 4, 0).after.at(4);
+    BOOST_TEST(trembling.direction_resultant.value() < 0.6);
+    BOOST_TEST(trembling.side_switches == 3);
+    BOOST_TEST(!read_history(run, marks, 4, 3).after.at(4).direction_resultant.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(directions_of_a_long_run_are_those_of_its_sample) {
+    // 3000 individuals, of whom 1000 on average are in the sample: their resultant is near that of all, 0.6.
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("ns", 3, 1000), 1, [](int, int slot) {
+        return FakeLife{.moved = {slot % 5 == 0 ? -2.0 : 2.0, 0}};
+    });
+    const double found =
+        read_history(open_run(place), std::vector<int>{3}, 4, 1).after.at(3).direction_resultant.value();
+    BOOST_TEST(found != 0.6);
+    BOOST_TEST(std::abs(found - 0.6) < 0.1);
 }
 
 BOOST_AUTO_TEST_CASE(fitness_shares_cover_the_last_generation) {
@@ -105,7 +135,7 @@ BOOST_AUTO_TEST_CASE(the_past_does_not_depend_on_how_long_the_run_went_on) {
     const RecordedRun run = recorded(folder);
     const RunHistory part = history_of(run, {2}), whole = history_of(run, {2, 4});
     BOOST_TEST(part.after.at(2).size_entropy == whole.after.at(2).size_entropy);
-    BOOST_TEST(part.after.at(2).fitness_spread == whole.after.at(2).fitness_spread);
+    BOOST_TEST(part.after.at(2).fitness_spread.value() == whole.after.at(2).fitness_spread.value());
     BOOST_TEST(part.best.size() == 2u);
     BOOST_TEST(part.after.at(2).champion.generation == whole.after.at(2).champion.generation);
     BOOST_TEST(part.last.generation == 1);
@@ -118,8 +148,8 @@ BOOST_AUTO_TEST_CASE(a_run_where_nobody_lives_has_facts_all_the_same) {
     });
     const RunHistory history = history_of(open_run(place), {2});
     BOOST_TEST(history.after.at(2).size_entropy == 0);
-    BOOST_TEST(history.after.at(2).fitness_spread == 0);
-    BOOST_TEST(history.after.at(2).direction_resultant == 0);
+    BOOST_TEST(!history.after.at(2).fitness_spread.has_value());
+    BOOST_TEST(!history.after.at(2).direction_resultant.has_value());
     BOOST_TEST(history.after.at(2).valid_share == 0);
     BOOST_TEST(history.fitness_shares[0] == 1, tolerance(1e-12));
 }

@@ -109,7 +109,9 @@ BOOST_AUTO_TEST_CASE(all_that_was_planned_is_complete_and_decides_claims) {
     // Three against three cannot fall below p = 0.1.
     BOOST_TEST(claims.at(0).verdict == "inconclusive");
     BOOST_TEST(claims.at(0).p.value() == 0.1, boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(claims.at(0).note == "");
+    BOOST_TEST(claims.at(0).note == "of so few runs p is at least 0.1");
+    BOOST_TEST(claims.at(0).p_holm.value() == 0.2, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(claims.at(0).decided_by == "");
 }
 
 BOOST_AUTO_TEST_CASE(the_same_runs_give_the_same_bytes) {

@@ -21,7 +21,7 @@ FakeLife life(int generation, int slot) {
 SettingRuns read_setting(const std::filesystem::path &folder, const Spec &spec) {
     SettingRuns setting = survey(std::span(&spec, 1), runs_in(folder)).front();
     const std::vector<int> marks{setting.generations};
-    for (const RecordedRun &run : setting.runs) setting.histories.push_back(read_history(run, marks, 4));
+    for (const RecordedRun &run : setting.runs) setting.histories.push_back(read_history(run, marks, 4, 1));
     return setting;
 }
 
@@ -85,11 +85,22 @@ BOOST_AUTO_TEST_CASE(curves_have_the_mean_inside_its_interval) {
     BOOST_TEST(rows[2].generation == 2);
     BOOST_TEST(rows[2].runs == 3);
     BOOST_TEST(rows[2].mean == 3);
-    BOOST_TEST(rows[2].low >= 1);
-    BOOST_TEST(rows[2].low < 3);
-    BOOST_TEST(rows[2].high > 3);
+    BOOST_TEST(rows[2].low.value() >= 1);
+    BOOST_TEST(rows[2].low.value() < 3);
+    BOOST_TEST(rows[2].high.value() > 3);
     // Runs are resampled as wholes: equal generations have equal intervals.
-    BOOST_TEST(rows[0].low == rows[2].low);
+    BOOST_TEST(rows[0].low.value() == rows[2].low.value());
+}
+
+BOOST_AUTO_TEST_CASE(too_few_runs_have_no_interval) {
+    const Spec spec = fake_spec("ns", 3, 5);
+    Analysis analysis = fake_analysis();
+    analysis.interval_runs = 4;
+    const SettingRuns setting = fake_setting(spec, {1, 2, 6});
+    BOOST_TEST(!curve_rows(setting, analysis)[0].low.has_value());
+    BOOST_TEST(!shape_diversity_rows(setting, analysis)[0].high.has_value());
+    BOOST_TEST(!entropy_row(setting, analysis).low.has_value());
+    BOOST_TEST(entropy_row(setting, analysis).mean == 3);
 }
 
 BOOST_AUTO_TEST_CASE(shape_diversity_has_a_curve_and_both_its_ends_in_every_run) {
@@ -100,7 +111,7 @@ BOOST_AUTO_TEST_CASE(shape_diversity_has_a_curve_and_both_its_ends_in_every_run)
     BOOST_REQUIRE(rows.size() == 3u);
     BOOST_TEST(rows[1].generation == 1);
     BOOST_TEST(rows[1].mean == (0.5 + 2 + 6) / 3);
-    BOOST_TEST(rows[1].low < rows[1].mean);
+    BOOST_TEST(rows[1].low.value() < rows[1].mean);
     const auto runs = run_rows(setting);
     BOOST_TEST(runs[0].shape_diversity_first == 0.25);
     BOOST_TEST(runs[0].shape_diversity_last == 0.75);
@@ -127,13 +138,6 @@ BOOST_AUTO_TEST_CASE(entropy_has_mean_and_median_of_the_runs) {
     BOOST_TEST(row.mean == 3);
     BOOST_TEST(row.median == 2);
     BOOST_TEST(row.runs == 3);
-}
-
-BOOST_AUTO_TEST_CASE(one_run_has_intervals_without_width) {
-    const Spec spec = fake_spec("ns", 1, 5);
-    const auto rows = curve_rows(fake_setting(spec, {4}), fake_analysis());
-    BOOST_TEST(rows[0].low == 4);
-    BOOST_TEST(rows[0].high == 4);
 }
 
 BOOST_AUTO_TEST_CASE(outcomes_are_shares_of_all_runs) {
