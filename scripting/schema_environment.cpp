@@ -5,6 +5,7 @@
 #include "base/text.h"
 
 #include <cmath>
+#include <vector>
 
 namespace planula {
 
@@ -44,6 +45,18 @@ std::optional<double> height_at(LuaState &lua, int function, double x, const Pla
     return std::nullopt;
 }
 
+// from, from + step and so on below `to`, and `to`; empty if these are fewer than two or too many. What comes so near to
+// `to` that rounding may have kept it apart is `to`.
+std::vector<double> sample_places(double from, double to, double step) {
+    constexpr double rounding = 1e-6; // of a step
+    const double steps = std::ceil((to - from) / step - rounding);
+    if (!(step > 0 && from < to && steps < most_points)) return {};
+    std::vector<double> places{from};
+    for (int i = 1; i < static_cast<int>(steps); ++i) places.push_back(from + i * step);
+    places.push_back(to);
+    return places;
+}
+
 void sample_ground(const Value &table, const Place &place, LuaState &lua, Environment &environment,
                    Problems &problems) {
     Reader reader(table, place, {"height", "from", "to", "step"}, problems);
@@ -51,11 +64,10 @@ void sample_ground(const Value &table, const Place &place, LuaState &lua, Enviro
     const auto from = reader.number("from", true), to = reader.number("to", true);
     const auto step = reader.number("step", true);
     if (!height || !from || !to || !step) return;
-    const double intervals = std::floor((*to - *from) / *step + 0.5);
-    if (!(*step > 0 && intervals >= 1 && intervals < most_points))
+    const auto places = sample_places(*from, *to, *step);
+    if (places.empty())
         return problems.add(place, place.words + ": from, to and step must give 2 … 100000 points");
-    for (int i = 0; i <= static_cast<int>(intervals); ++i) {
-        const double x = *from + i * *step;
+    for (const double x : places) {
         const auto y = height_at(lua, height->function, x, reader.at("height"), problems);
         if (!y) return;
         environment.ground.push_back({x, *y});

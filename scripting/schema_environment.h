@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The environment of a setting, from its table. `ground` is "none", "flat", a polyline {{x, y}, …}, or
-// {height = function(x) … end, from = …, to = …, step = …}, which is sampled once, here.
+// {height = function(x) … end, from = …, to = …, step = …}, which is sampled once, here: at `from`, from + step and so
+// on, never beyond `to`, and at `to`.
 #pragma once
 
 #include "physics/environment.h"

@@ -79,6 +79,30 @@ BOOST_AUTO_TEST_CASE(grounds_are_flat_none_points_or_a_function) {
     BOOST_TEST((sampled[3] == Vec2d{0.5, 0.25}));
 }
 
+BOOST_AUTO_TEST_CASE(a_ground_by_a_function_is_asked_from_end_to_end_and_not_beyond) {
+    const auto places = [](const std::string &range) {
+        std::vector<double> xs;
+        for (const Vec2d point :
+             environment_of("paper.terrestrial { ground = { height = function(x) return math.sqrt("
+                            "100 - x * x) end, " +
+                            range + " } }")
+                 .environment.ground)
+            xs.push_back(point.x);
+        return xs;
+    };
+    BOOST_TEST(places("from = -1, to = 1, step = 0.75") == (std::vector<double>{-1, -0.25, 0.5, 1}));
+    BOOST_TEST(places("from = -10, to = 10, step = 15") == (std::vector<double>{-10, 5, 10}));
+    BOOST_TEST(places("from = -10, to = 10, step = 50") == (std::vector<double>{-10, 10}));
+    BOOST_TEST(places("from = -10, to = 10, step = 0.75").back() == 10);
+    // Steps that do not add up to the end but for rounding.
+    for (const int points : {4, 11, 50, 1000, 3000}) {
+        const auto xs = places("from = -1, to = 1, step = 2 / " + std::to_string(points - 1));
+        BOOST_TEST(xs.size() == static_cast<std::size_t>(points));
+        BOOST_TEST(xs.back() == 1);
+        BOOST_TEST(xs[xs.size() - 2] < 1 - 1.9 / points);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
     const auto ground = [](const std::string &value) {
         return refused_body("environment = paper.terrestrial {\nground = " + value + " }");
@@ -93,6 +117,16 @@ BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
                               "test.lua:4: nothing is called 'y'"));
     BOOST_TEST(test::contains(ground("{ height = function(x) return x end, from = 0, to = 1, step = 0 }"),
                               "from, to and step"));
+    for (const char *range :
+         {"from = 1, to = 1, step = 1", "from = 1, to = 0, step = 1", "from = 0, to = 1, step = -1",
+          "from = 0, to = 1, step = 1e-5", "from = -1e300, to = 1e300, step = 1e-300"})
+        BOOST_TEST(test::contains(ground("{ height = function(x) return x end, " + std::string(range) + " }"),
+                                  "must give 2 … 100000 points"),
+                   range);
+    // Upright and overhanging walls are no heights over x.
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 0, 1 } }"),
+                              "test.lua:3: environment: ground points must ascend"));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 2, 1 }, { 1, 2 } }"), "must ascend in x, not 1"));
     BOOST_TEST(
         test::contains(ground("{ height = function(x) return x end, from = 0, to = 1 }"), "step is missing"));
 }
