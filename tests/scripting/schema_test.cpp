@@ -320,9 +320,35 @@ BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
     BOOST_TEST(test::contains(start("generations = -1, " + behaviour), "must be a whole number"));
     BOOST_TEST(test::contains(start("generations = 2"), "behaviour is missing"));
     BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));
-    // Bodies that have not moved have no path.
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_on_its_line) {
+    const auto start = [](const std::string &result) {
+        return refused_body("start = { generations = 2, behaviour = function(life)\nreturn " + result +
+                            " end }");
+    };
+    for (const std::string field :
+         {"activity", "displacement", "finish", "late_actuation", "path", "rest", "settle_steps"})
+        BOOST_TEST(
+            test::contains(start("{ life." + field + " and 1 }"),
+                           "test.lua:4: life." + field +
+                               " is known only after a body has moved; a start judges by growth alone"),
+            start("{ life." + field + " and 1 }"));
+    BOOST_TEST(
+        test::contains(refused_body("start = { generations = 2, behaviour = paper.judgement.behaviour }"),
+                       "life.finish is known only"));
+    // The penalty is asked of grown bodies, too.
     BOOST_TEST(test::contains(
-        start("generations = 2, behaviour = function(life) return { life.path[1].x } end"), "test.lua:3"));
+        refused_body("start = { generations = 2, behaviour = function(life) return { life.cells } end },\n"
+                     "penalty = function(life) return life.settle_steps > 0 and 1 or 0 end"),
+        "test.lua:4: life.settle_steps is known only"));
+    const std::string known =
+        "{ life.births, life.cells, life.elongation, life.largest, life.links, life.triangles, "
+        "life.outcome == 'viable' and 1 or 0 }";
+    BOOST_TEST(experiment("return paper.experiment { name = 'x', start = { generations = 2, behaviour = "
+                          "function(life) return " +
+                          known + " end } }")
+                   .settings.size() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(the_descriptors_are_what_they_say) {
