@@ -99,18 +99,23 @@ World read_environment(const Value &table, const Place &place, const Parameters 
                   problems);
     World world;
     Environment &environment = world.environment;
-    environment.gravity = reader.quantity("gravity", parameters).value_or(0);
-    environment.friction = reader.quantity("friction", parameters).value_or(0);
-    world.actuation_range = reader.quantity("actuation_range", parameters, true).value_or(0);
+    const auto quantity = [&](Reader &of, const char *key, const std::string &name, bool needed) {
+        const Value *value = of.table().find(key);
+        if (value && value->is(Value::Kind::text)) world.sources[name] = value->text;
+        return of.quantity(key, parameters, needed).value_or(0);
+    };
+    environment.gravity = quantity(reader, "gravity", "gravity", false);
+    environment.friction = quantity(reader, "friction", "friction", false);
+    world.actuation_range = quantity(reader, "actuation_range", "actuation_range", true);
     if (const Value *drag = reader.field("drag", Value::Kind::table, false)) {
         Reader of_drag(*drag, reader.at("drag"), {"normal", "tangential"}, problems);
-        environment.drag_normal = of_drag.quantity("normal", parameters, true).value_or(0);
-        environment.drag_tangential = of_drag.quantity("tangential", parameters, true).value_or(0);
+        environment.drag_normal = quantity(of_drag, "normal", "drag normal", true);
+        environment.drag_tangential = quantity(of_drag, "tangential", "drag tangential", true);
     }
     if (const Value *flow = reader.field("flow", Value::Kind::table, false)) {
         Reader of_flow(*flow, reader.at("flow"), {"x", "y"}, problems);
-        environment.flow = {of_flow.quantity("x", parameters).value_or(0),
-                            of_flow.quantity("y", parameters).value_or(0)};
+        environment.flow.x = quantity(of_flow, "x", "flow x", false);
+        environment.flow.y = quantity(of_flow, "y", "flow y", false);
     }
     read_ground(reader, lua, environment, problems);
     check_at(place, problems, [&] { check_environment(environment); });

@@ -8,11 +8,15 @@
 #include "scripting/lua_state.h"
 #include "scripting/reader.h"
 
+#include <map>
+#include <string>
+
 namespace planula {
 
 struct World {
     Environment environment;
     double actuation_range = 0;
+    std::map<std::string, std::string, std::less<>> sources; // Spec::world_sources
 };
 
 World read_environment(const Value &table, const Place &place, const Parameters &parameters, LuaState &lua,
