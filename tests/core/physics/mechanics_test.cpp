@@ -118,8 +118,8 @@ double distance(const std::vector<Vec2d> &a, const std::vector<Vec2d> &b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-/// Kinetic energy and height, per node and unit of gravity 5; with frictionless still ground and muscles at rest it only
-/// falls.
+/// Kinetic energy and height times gravity, which is 5, per node: on still ground without friction, muscles at rest, it
+/// never rises above its start.
 double energy_of_fall(const Engine &engine) {
     const auto x = engine.positions();
     return (kinetic_energy(engine.velocities()) / static_cast<double>(x.size())) + 5 * centre_of_mass(x).y;
