@@ -2,9 +2,11 @@
 #include "analysis/sensitivity.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "experiment/world_numbers.h"
 #include "record/csv.h"
 #include "scripting/commands.h"
 
+#include <optional>
 #include <ostream>
 
 namespace planula {
@@ -49,17 +51,27 @@ class SensitivityCommand {
     }
 
   private:
-    /// One row for each setting that the parameter concerns. The script is read again with each value, as its
-    /// environments may be made of it.
+    /// One row for each setting that the parameter concerns.
     void vary_all(const ParameterRow &row, double factor) {
         for (const Sample &sample : samples_) {
             if (!concerns(row, *sample.spec)) continue;
-            const double standard = parameter(sample.spec->parameters, row.name);
-            const double value = varied(row, standard, factor);
-            if (value == standard || !is_possible(*sample.spec, row.name, value)) continue;
-            const Experiment changed = experiment_of(arguments_, console_, {{std::string(row.name), value}});
-            rows_.push_back(vary(sample, *changed.find(sample.spec->name), row.name, threads_));
+            const double standard = used(row, *sample.spec), value = varied(row, standard, factor);
+            if (value == standard) continue;
+            if (const auto changed = with(*sample.spec, row, value))
+                rows_.push_back(vary(sample, *changed, row, threads_));
         }
+    }
+
+    /// The setting with this value; none if it is not possible.
+    std::optional<Spec> with(const Spec &setting, const ParameterRow &row, double value) {
+        if (const WorldNumber *number = stated_instead_of(row.name, setting)) {
+            Spec changed = setting;
+            number->in(changed) = value;
+            return changed;
+        }
+        // The script is read again, as its environments may be made of the parameter.
+        if (!is_possible(setting, row.name, value)) return std::nullopt;
+        return *experiment_of(arguments_, console_, {{std::string(row.name), value}}).find(setting.name);
     }
 
     /// Whether the value goes with those of the other parameters; if not, it is passed over and told once.

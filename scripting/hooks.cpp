@@ -133,6 +133,7 @@ class Hooks::Functions {
     static int prepare(lua_State *L) {
         Functions &self = *static_cast<Functions *>(lua_touserdata(L, 1));
         self.slot_ = &push_life(L);
+        self.slot_->only_grown = self.stage_ == Stage::growth;
         self.life_ = luaL_ref(L, LUA_REGISTRYINDEX);
         lua_newtable(L);
         for (const ParameterRow &row : parameter_rows()) {

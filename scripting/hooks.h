@@ -5,7 +5,8 @@
 //   fitness(life, parameters, penalty)  f of Eq. (4), 0 … 1e100
 //   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100
 //
-// The behaviour of a setting's `start` is asked beside its penalty for lives that end with development.
+// The behaviour of a setting's `start` is asked beside its penalty for lives that end with development. Reading what is
+// known only of a body that has moved (scripting/wrap_life.h) is an error then.
 //
 // `parameters` are those that decide lives (experiment/deciding.h): neither the length of a run nor a number of
 // statistics changes how a life is judged.

@@ -132,6 +132,7 @@ class Schema {
                 read_environment(*environment, reader.at("environment"), spec.parameters, lua_, problems_);
             spec.environment = std::move(world.environment);
             spec.actuation_range = world.actuation_range;
+            spec.world_sources = std::move(world.sources);
         }
         read_hooks(reader, spec);
         read_start(reader, spec);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 
 #include <cmath>
+#include <vector>
 
 namespace planula {
 
@@ -44,6 +45,18 @@ std::optional<double> height_at(LuaState &lua, int function, double x, const Pla
     return std::nullopt;
 }
 
+// from, from + step and so on below `to`, and `to`; empty if these are fewer than two or too many. What comes so near to
+// `to` that rounding may have kept it apart is `to`.
+std::vector<double> sample_places(double from, double to, double step) {
+    constexpr double rounding = 1e-6; // of a step
+    const double steps = std::ceil((to - from) / step - rounding);
+    if (!(step > 0 && from < to && steps < most_points)) return {};
+    std::vector<double> places{from};
+    for (int i = 1; i < static_cast<int>(steps); ++i) places.push_back(from + i * step);
+    places.push_back(to);
+    return places;
+}
+
 void sample_ground(const Value &table, const Place &place, LuaState &lua, Environment &environment,
                    Problems &problems) {
     Reader reader(table, place, {"height", "from", "to", "step"}, problems);
@@ -51,11 +64,10 @@ void sample_ground(const Value &table, const Place &place, LuaState &lua, Enviro
     const auto from = reader.number("from", true), to = reader.number("to", true);
     const auto step = reader.number("step", true);
     if (!height || !from || !to || !step) return;
-    const double intervals = std::floor((*to - *from) / *step + 0.5);
-    if (!(*step > 0 && intervals >= 1 && intervals < most_points))
+    const auto places = sample_places(*from, *to, *step);
+    if (places.empty())
         return problems.add(place, place.words + ": from, to and step must give 2 … 100000 points");
-    for (int i = 0; i <= static_cast<int>(intervals); ++i) {
-        const double x = *from + i * *step;
+    for (const double x : places) {
         const auto y = height_at(lua, height->function, x, reader.at("height"), problems);
         if (!y) return;
         environment.ground.push_back({x, *y});
@@ -87,18 +99,23 @@ World read_environment(const Value &table, const Place &place, const Parameters 
                   problems);
     World world;
     Environment &environment = world.environment;
-    environment.gravity = reader.quantity("gravity", parameters).value_or(0);
-    environment.friction = reader.quantity("friction", parameters).value_or(0);
-    world.actuation_range = reader.quantity("actuation_range", parameters, true).value_or(0);
+    const auto quantity = [&](Reader &of, const char *key, const std::string &name, bool needed) {
+        const Value *value = of.table().find(key);
+        if (value && value->is(Value::Kind::text)) world.sources[name] = value->text;
+        return of.quantity(key, parameters, needed).value_or(0);
+    };
+    environment.gravity = quantity(reader, "gravity", "gravity", false);
+    environment.friction = quantity(reader, "friction", "friction", false);
+    world.actuation_range = quantity(reader, "actuation_range", "actuation_range", true);
     if (const Value *drag = reader.field("drag", Value::Kind::table, false)) {
         Reader of_drag(*drag, reader.at("drag"), {"normal", "tangential"}, problems);
-        environment.drag_normal = of_drag.quantity("normal", parameters, true).value_or(0);
-        environment.drag_tangential = of_drag.quantity("tangential", parameters, true).value_or(0);
+        environment.drag_normal = quantity(of_drag, "normal", "drag normal", true);
+        environment.drag_tangential = quantity(of_drag, "tangential", "drag tangential", true);
     }
     if (const Value *flow = reader.field("flow", Value::Kind::table, false)) {
         Reader of_flow(*flow, reader.at("flow"), {"x", "y"}, problems);
-        environment.flow = {of_flow.quantity("x", parameters).value_or(0),
-                            of_flow.quantity("y", parameters).value_or(0)};
+        environment.flow.x = quantity(of_flow, "x", "flow x", false);
+        environment.flow.y = quantity(of_flow, "y", "flow y", false);
     }
     read_ground(reader, lua, environment, problems);
     check_at(place, problems, [&] { check_environment(environment); });

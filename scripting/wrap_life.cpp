@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scripting/wrap_life.h"
 
+#include "scripting/reader.h"
 #include "scripting/wrap.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace planula {
 
@@ -21,8 +24,11 @@ void push_point(lua_State *L, Vec2d point) {
 
 void push_number(lua_State *L, double value) { lua_pushnumber(L, value); }
 
+enum class Known { grown, moved }; // of a body that has grown, or only of one that has moved, too
+
 struct Field {
     const char *name;
+    Known known;
     void (*push)(lua_State *L, const Life &life, int self);
 };
 
@@ -40,35 +46,51 @@ void push_path(lua_State *L, const Life &, int self) {
 }
 
 constexpr Field fields[] = {
-    {"activity", [](lua_State *L, const Life &life, int) { push_number(L, life.activity); }},
-    {"births", [](lua_State *L, const Life &life, int) { push_number(L, life.births); }},
-    {"cells", [](lua_State *L, const Life &life, int) { push_number(L, life.cells); }},
-    {"displacement", [](lua_State *L, const Life &life, int) { push_number(L, life.displacement()); }},
-    {"elongation", [](lua_State *L, const Life &life, int) { push_number(L, life.elongation); }},
-    {"finish", [](lua_State *L, const Life &life, int) { push_point(L, life.end); }},
-    {"largest", [](lua_State *L, const Life &life, int) { push_number(L, life.largest); }},
-    {"late_actuation", [](lua_State *L, const Life &life, int) { push_number(L, life.late_actuation); }},
-    {"links", [](lua_State *L, const Life &life, int) { push_number(L, life.links); }},
-    {"outcome", [](lua_State *L, const Life &life, int) { lua_pushstring(L, name_of(life.outcome)); }},
-    {"path", push_path},
-    {"rest", [](lua_State *L, const Life &life, int) { push_point(L, life.rest); }},
-    {"settle_steps", [](lua_State *L, const Life &life, int) { push_number(L, life.settle_steps); }},
-    {"triangles", [](lua_State *L, const Life &life, int) { push_number(L, life.triangles); }},
+    {"activity", Known::moved, [](lua_State *L, const Life &life, int) { push_number(L, life.activity); }},
+    {"births", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.births); }},
+    {"cells", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.cells); }},
+    {"displacement", Known::moved,
+     [](lua_State *L, const Life &life, int) { push_number(L, life.displacement()); }},
+    {"elongation", Known::grown,
+     [](lua_State *L, const Life &life, int) { push_number(L, life.elongation); }},
+    {"finish", Known::moved, [](lua_State *L, const Life &life, int) { push_point(L, life.end); }},
+    {"largest", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.largest); }},
+    {"late_actuation", Known::moved,
+     [](lua_State *L, const Life &life, int) { push_number(L, life.late_actuation); }},
+    {"links", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.links); }},
+    {"outcome", Known::grown,
+     [](lua_State *L, const Life &life, int) { lua_pushstring(L, name_of(life.outcome)); }},
+    {"path", Known::moved, push_path},
+    {"rest", Known::moved, [](lua_State *L, const Life &life, int) { push_point(L, life.rest); }},
+    {"settle_steps", Known::moved,
+     [](lua_State *L, const Life &life, int) { push_number(L, life.settle_steps); }},
+    {"triangles", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.triangles); }},
 };
 
-int no_such_field(lua_State *L, const char *what, const std::vector<std::string> &known) {
+std::vector<std::string_view> field_names(bool only_grown) {
+    std::vector<std::string_view> names;
+    for (const Field &field : fields)
+        if (!only_grown || field.known == Known::grown) names.emplace_back(field.name);
+    return names;
+}
+
+void push_text(lua_State *L, const std::string &text) { lua_pushlstring(L, text.data(), text.size()); }
+
+void no_such_field(lua_State *L, const char *what, const std::vector<std::string_view> &known) {
     const char *key = lua_tostring(L, 2);
     lua_pushstring(L, key ? key : luaL_typename(L, 2));
     const std::string name = lua_tostring(L, -1);
-    std::string list;
-    for (const std::string &field : known) list += (list.empty() ? "" : ", ") + field;
-    const std::string text =
-        std::string(what) + " has no '" + name + "'" + suggestion(name, known) + " (allowed: " + list + ")";
-    lua_pushlstring(L, text.data(), text.size());
-    return 1;
+    push_text(L, std::string(what) + " has no '" + name + "'" + suggestion(name, known) +
+                     " (allowed: " + list_of(known) + ")");
 }
 
-// Raises the message that no_such_field left.
+void not_known_yet(lua_State *L, const Field &field) {
+    push_text(L, std::string("life.") + field.name +
+                     " is known only after a body has moved; a start judges by growth alone (allowed: " +
+                     list_of(field_names(true)) + ")");
+}
+
+// Raises the message that one of these left.
 int raise_message(lua_State *L) {
     luaL_where(L, 1);
     lua_insert(L, -2);
@@ -85,13 +107,14 @@ int life_index(lua_State *L) {
     const auto &slot = *static_cast<LifeSlot *>(luaL_checkudata(L, 1, life_type));
     const Life &life = life_in(L, slot);
     const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    for (const Field &field : fields)
-        if (key == field.name) return field.push(L, life, 1), 1;
-    {
-        std::vector<std::string> known;
-        for (const Field &field : fields) known.emplace_back(field.name);
-        no_such_field(L, "life", known);
-    }
+    const auto field = std::find_if(std::begin(fields), std::end(fields),
+                                    [&](const Field &each) { return key == each.name; });
+    if (field == std::end(fields))
+        no_such_field(L, "life", field_names(slot.only_grown));
+    else if (slot.only_grown && field->known == Known::moved)
+        not_known_yet(L, *field);
+    else
+        return field->push(L, life, 1), 1;
     return raise_message(L);
 }
 
@@ -149,7 +172,7 @@ void wrap_life(lua_State *L) {
 
 LifeSlot &push_life(lua_State *L) {
     auto &slot = *static_cast<LifeSlot *>(lua_newuserdata(L, sizeof(LifeSlot)));
-    slot.life = nullptr;
+    slot = {nullptr, false};
     luaL_getmetatable(L, life_type);
     lua_setmetatable(L, -2);
     return slot;

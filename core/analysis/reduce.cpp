@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "experiment/sample.h"
+#include "experiment/world_numbers.h"
 #include "record/chain.h"
 #include "record/ledger.h"
 #include "record/output.h"
@@ -92,6 +93,7 @@ void write_settings(const Analysis &analysis, std::span<const SettingRuns *const
                     const std::filesystem::path &out) {
     write_each<SettingRow>(out, present,
                            [](const SettingRuns &s) { return std::vector<SettingRow>{setting_row(s)}; });
+    write_each<WorldRow>(out, present, world_rows);
     write_each<RunRow>(out, present, run_rows);
     write_each<CurveRow>(out, present, [&](const SettingRuns &s) { return curve_rows(s, analysis); });
     write_each<ShapeDiversityRow>(out, present,
@@ -129,7 +131,14 @@ void write_claims(const Analysis &analysis, std::span<const SettingRuns> setting
 void write_dictionaries(std::span<const SettingRuns> settings, const std::filesystem::path &out) {
     std::vector<Parameters> parameters;
     for (const SettingRuns &setting : settings) parameters.push_back(setting.spec->parameters);
-    write_table<LedgerRow>(out, ledger(parameters));
+    std::vector<LedgerRow> rows = ledger(parameters);
+    for (LedgerRow &row : rows) {
+        const bool is_taken = std::any_of(settings.begin(), settings.end(), [&](const SettingRuns &setting) {
+            return makes_world(row.name, *setting.spec);
+        });
+        if (is_of_worlds(row.name) && !is_taken) row.value.clear();
+    }
+    write_table<LedgerRow>(out, rows);
     write_table<ColumnRow>(out, columns());
 }
 

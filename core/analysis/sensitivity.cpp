@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "base/text.h"
 #include "evaluation/live.h"
+#include "experiment/world_numbers.h"
 #include "record/kept_state.h"
 #include "statistics/rank_correlation.h"
 #include "statistics/summary.h"
@@ -104,10 +105,17 @@ std::vector<Sample> draw_samples(std::span<const Spec> settings, const RunChoice
 
 bool concerns(const ParameterRow &parameter, const Spec &spec) {
     if (parameter.name == only_recorded || parameter.is_choice()) return false;
+    if (makes_world(parameter.name, spec)) return true;
+    if (is_of_worlds(parameter.name) && !stated_instead_of(parameter.name, spec)) return false;
     if (parameter.section == "Water") return spec.environment.has_fluid();
     if (parameter.section == "Land") return spec.environment.has_ground;
     constexpr std::array<std::string_view, 4> always{"Development", "Control network", "Body", "Gait"};
     return std::find(always.begin(), always.end(), parameter.section) != always.end();
+}
+
+double used(const ParameterRow &parameter, const Spec &spec) {
+    if (const WorldNumber *number = stated_instead_of(parameter.name, spec)) return value_of(*number, spec);
+    return planula::parameter(spec.parameters, parameter.name);
 }
 
 std::vector<std::string_view> assumed_parameters() {
@@ -121,16 +129,17 @@ std::vector<std::string_view> assumed_parameters() {
 }
 
 double varied(const ParameterRow &parameter, double standard, double factor) {
-    const double value = std::clamp(standard * factor, parameter.lowest, parameter.highest);
+    const double value = std::clamp(standard * factor, std::min(parameter.lowest, standard),
+                                    std::max(parameter.highest, standard));
     return parameter.whole ? std::round(value) : value;
 }
 
-SensitivityRow vary(const Sample &sample, const Spec &changed, std::string_view name, int threads) {
+SensitivityRow vary(const Sample &sample, const Spec &changed, const ParameterRow &parameter, int threads) {
     const std::vector<Life> after = live_all(sample.genomes, changed, threads);
     SensitivityRow row{.setting = sample.spec->name,
-                       .parameter = std::string(name),
-                       .standard = parameter(sample.spec->parameters, name),
-                       .value = parameter(changed.parameters, name),
+                       .parameter = std::string(parameter.name),
+                       .standard = used(parameter, *sample.spec),
+                       .value = used(parameter, changed),
                        .population = sample.population,
                        .generations = sample.generations,
                        .sampled = static_cast<int>(after.size()),

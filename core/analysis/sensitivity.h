@@ -31,18 +31,23 @@ struct Sample {
 std::vector<Sample> draw_samples(std::span<const Spec> settings, const RunChoice &runs, int count,
                                  int threads);
 
-/// Whether a life in this setting can depend on the parameter: it is one of development, network, body, gait,
-/// or of the setting's own world.
+/// Whether a life in this setting can depend on the parameter: it is one of development, network, body, gait, or of the
+/// setting's own world. A number that the experiment states itself stands for the parameter that the paper takes it
+/// from.
 bool concerns(const ParameterRow &parameter, const Spec &spec);
+
+/// What lives in this setting use: the parameter's value, or the number that the experiment states instead of it.
+double used(const ParameterRow &parameter, const Spec &spec);
 
 /// The parameters of origin `ours` that concern a life anywhere: those that are varied unless others are
 /// asked for.
 std::vector<std::string_view> assumed_parameters();
 
-/// `standard` times `factor`, brought into the parameter's range and rounded if it must be whole.
+/// `standard` times `factor`, brought into the parameter's range, or else no farther out than `standard` is, and rounded
+/// if it must be whole.
 double varied(const ParameterRow &parameter, double standard, double factor);
 
 /// The sample's lives under `changed`, its setting with one parameter's value changed, against those before.
-SensitivityRow vary(const Sample &sample, const Spec &changed, std::string_view parameter, int threads);
+SensitivityRow vary(const Sample &sample, const Spec &changed, const ParameterRow &parameter, int threads);
 
 } // namespace planula

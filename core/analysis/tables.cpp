@@ -3,6 +3,7 @@
 
 #include "analysis/chance.h"
 #include "experiment/sample.h"
+#include "experiment/world_numbers.h"
 #include "record/archive_table.h"
 #include "record/genome_table.h"
 #include "statistics/bootstrap.h"
@@ -88,6 +89,18 @@ SettingRow setting_row(const SettingRuns &setting) {
             .runs = count_of(setting),
             .generations = setting.generations,
             .population = spec.parameters.population};
+}
+
+std::vector<WorldRow> world_rows(const SettingRuns &setting) {
+    const Spec &spec = *setting.spec;
+    std::vector<WorldRow> rows;
+    for (const WorldNumber &number : world_numbers())
+        rows.push_back({spec.name, std::string(number.name), value_of(number, spec), std::string(number.unit),
+                        std::string(source_of(number, spec))});
+    Maybe points;
+    if (spec.environment.has_ground) points = static_cast<double>(spec.environment.ground.size());
+    rows.push_back({spec.name, "ground points", points, "points", ""});
+    return rows;
 }
 
 std::vector<RunRow> run_rows(const SettingRuns &setting) {

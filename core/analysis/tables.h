@@ -11,6 +11,7 @@
 namespace planula {
 
 SettingRow setting_row(const SettingRuns &setting);
+std::vector<WorldRow> world_rows(const SettingRuns &setting);
 std::vector<RunRow> run_rows(const SettingRuns &setting);
 std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &analysis);
 std::vector<ShapeDiversityRow> shape_diversity_rows(const SettingRuns &setting, const Analysis &analysis);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "experiment/deciding.h"
 #include "experiment/revision.h"
+#include "experiment/world_numbers.h"
 
 #include <algorithm>
 
@@ -34,18 +35,13 @@ std::string ground_text(const Environment &environment) {
 }
 
 void add_environment(const Spec &spec, Identity &identity) {
-    const Environment &e = spec.environment;
-    const auto add = [&](const std::string &name, double value) {
-        identity.items.push_back({"environment " + name, to_text(value), "", ""});
+    const auto add = [&](std::string_view name, const std::string &value) {
+        identity.items.push_back({"environment " + std::string(name), value, "", ""});
     };
-    add("gravity", e.gravity);
-    identity.items.push_back({"environment ground", ground_text(e), "", ""});
-    add("friction", e.friction);
-    add("drag normal", e.drag_normal);
-    add("drag tangential", e.drag_tangential);
-    add("flow x", e.flow.x);
-    add("flow y", e.flow.y);
-    add("actuation_range", spec.actuation_range);
+    for (const WorldNumber &number : world_numbers()) {
+        add(number.name, to_text(value_of(number, spec)));
+        if (&number == &world_numbers().front()) add("ground", ground_text(spec.environment));
+    }
 }
 
 std::string shown(std::string_view key, const std::string &value) {

@@ -8,6 +8,7 @@
 #include "evolution/population.h"
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ struct Spec : Conditions {
     Judge judge;                 // called on the main thread, in slot order
     std::optional<Start> start;  // none: generation 0 is random
     Recording record = Recording::full;
+    /// Of each number of the environment that the experiment takes from a parameter (experiment/world_numbers.h) the
+    /// parameter's name; no part of the conditions.
+    std::map<std::string, std::string, std::less<>> world_sources;
     std::vector<FunctionMeaning>
         judgement; // what decides the results of `judge` and of the start's; may be empty
 };

@@ -12,6 +12,8 @@ namespace planula {
 
 namespace {
 
+constexpr double farthest_ground = 1e9; // where doubles still tell 1e-7 cells apart
+
 void require(bool holds, const std::string &rule, double value) {
     if (!holds) throw InputError("environment: " + rule + ", not " + to_text(value));
 }
@@ -38,8 +40,11 @@ void check_environment(const Environment &environment) {
     const auto &ground = environment.ground;
     require(ground.size() != 1, "a polyline ground needs two points or more", 1);
     for (std::size_t i = 0; i < ground.size(); ++i) {
-        require(std::isfinite(ground[i].x), "ground points must be finite", ground[i].x);
-        require(std::isfinite(ground[i].y), "ground points must be finite", ground[i].y);
+        for (const double coordinate : {ground[i].x, ground[i].y}) {
+            require(std::isfinite(coordinate), "ground points must be finite", coordinate);
+            require(std::abs(coordinate) <= farthest_ground,
+                    "ground points must lie within " + to_text(farthest_ground) + " of 0", coordinate);
+        }
         require(i == 0 || ground[i - 1].x < ground[i].x, "ground points must ascend in x", ground[i].x);
     }
 }

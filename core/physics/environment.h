@@ -22,7 +22,7 @@ struct Environment {
 };
 
 /// Throws InputError stating the rule and the value: non-finite or negative numbers, a polyline that does not
-/// ascend, gravity without ground (a body would fall for ever).
+/// ascend or leaves ±1e9 cells, gravity without ground (a body would fall for ever).
 void check_environment(const Environment &environment);
 
 /// Height of the ground below x; the environment must have ground.

@@ -203,6 +203,14 @@ COLUMN(int, generations, "generations", "generations that all these runs have")
 COLUMN(int, population, "individuals", "individuals in a generation")
 END_TABLE
 
+TABLE(WorldRow, "worlds.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::string, quantity, "", "a number of its environment, as in identity.csv; ground points: of its polyline, 0 if it is flat")
+COLUMN(Maybe, value, "see unit", "what its lives used; empty without ground")
+COLUMN(std::string, unit, "", "unit of the value")
+COLUMN(std::string, parameter, "", "the parameter that the number was taken from; empty if the experiment states it itself")
+END_TABLE
+
 TABLE(RunRow, "runs.csv")
 COLUMN(std::string, setting, "", "name of the setting")
 COLUMN(std::int64_t, seed, "", "seed of the run")
@@ -396,7 +404,7 @@ END_TABLE
 TABLE(SensitivityRow, "sensitivity.csv")
 COLUMN(std::string, setting, "", "name of the setting")
 COLUMN(std::string, parameter, "", "the parameter that was changed, all others as they are")
-COLUMN(double, standard, "see parameters.csv", "its value")
+COLUMN(double, standard, "see parameters.csv", "its value, or the number that the setting's environment states in its place")
 COLUMN(double, value, "see parameters.csv", "the value in its place: standard times a factor, within the parameter's range and whole where it must be")
 COLUMN(int, population, "individuals", "population of the runs that the sample is drawn from")
 COLUMN(int, generations, "generations", "their generations; the last is drawn from")
@@ -420,7 +428,7 @@ END_TABLE
 TABLE(LedgerRow, "parameters.csv")
 COLUMN(std::string, section, "", "part of the model")
 COLUMN(std::string, name, "", "name of the parameter")
-COLUMN(std::string, value, "as its unit", "value in this experiment, a choice by its name; empty where its settings differ")
+COLUMN(std::string, value, "as its unit", "value in this experiment, a choice by its name; empty where its settings differ, and where it is one of the worlds' but none of them takes it, as worlds.csv tells")
 COLUMN(std::string, standard, "as its unit", "value in the replication of the paper")
 COLUMN(std::string, unit, "", "unit of the values")
 COLUMN(std::string, origin, "", "where the standard value comes from: the paper's section or equation, MN (MultiNEAT), ours")

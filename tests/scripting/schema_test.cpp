@@ -87,6 +87,30 @@ BOOST_AUTO_TEST_CASE(grounds_are_flat_none_points_or_a_function) {
     BOOST_TEST((sampled[3] == Vec2d{0.5, 0.25}));
 }
 
+BOOST_AUTO_TEST_CASE(a_ground_by_a_function_is_asked_from_end_to_end_and_not_beyond) {
+    const auto places = [](const std::string &range) {
+        std::vector<double> xs;
+        for (const Vec2d point :
+             environment_of("paper.terrestrial { ground = { height = function(x) return math.sqrt("
+                            "100 - x * x) end, " +
+                            range + " } }")
+                 .environment.ground)
+            xs.push_back(point.x);
+        return xs;
+    };
+    BOOST_TEST(places("from = -1, to = 1, step = 0.75") == (std::vector<double>{-1, -0.25, 0.5, 1}));
+    BOOST_TEST(places("from = -10, to = 10, step = 15") == (std::vector<double>{-10, 5, 10}));
+    BOOST_TEST(places("from = -10, to = 10, step = 50") == (std::vector<double>{-10, 10}));
+    BOOST_TEST(places("from = -10, to = 10, step = 0.75").back() == 10);
+    // Steps that do not add up to the end but for rounding.
+    for (const int points : {4, 11, 50, 1000, 3000}) {
+        const auto xs = places("from = -1, to = 1, step = 2 / " + std::to_string(points - 1));
+        BOOST_TEST(xs.size() == static_cast<std::size_t>(points));
+        BOOST_TEST(xs.back() == 1);
+        BOOST_TEST(xs[xs.size() - 2] < 1 - 1.9 / points);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
     const auto ground = [](const std::string &value) {
         return refused_body("environment = paper.terrestrial {\nground = " + value + " }");
@@ -101,6 +125,16 @@ BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
                               "test.lua:4: nothing is called 'y'"));
     BOOST_TEST(test::contains(ground("{ height = function(x) return x end, from = 0, to = 1, step = 0 }"),
                               "from, to and step"));
+    for (const char *range :
+         {"from = 1, to = 1, step = 1", "from = 1, to = 0, step = 1", "from = 0, to = 1, step = -1",
+          "from = 0, to = 1, step = 1e-5", "from = -1e300, to = 1e300, step = 1e-300"})
+        BOOST_TEST(test::contains(ground("{ height = function(x) return x end, " + std::string(range) + " }"),
+                                  "must give 2 … 100000 points"),
+                   range);
+    // Upright and overhanging walls are no heights over x.
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 0, 1 } }"),
+                              "test.lua:3: environment: ground points must ascend"));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 2, 1 }, { 1, 2 } }"), "must ascend in x, not 1"));
     BOOST_TEST(
         test::contains(ground("{ height = function(x) return x end, from = 0, to = 1 }"), "step is missing"));
 }
@@ -300,9 +334,35 @@ BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
     BOOST_TEST(test::contains(start("generations = -1, " + behaviour), "must be a whole number"));
     BOOST_TEST(test::contains(start("generations = 2"), "behaviour is missing"));
     BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));
-    // Bodies that have not moved have no path.
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_on_its_line) {
+    const auto start = [](const std::string &result) {
+        return refused_body("start = { generations = 2, behaviour = function(life)\nreturn " + result +
+                            " end }");
+    };
+    for (const std::string field :
+         {"activity", "displacement", "finish", "late_actuation", "path", "rest", "settle_steps"})
+        BOOST_TEST(
+            test::contains(start("{ life." + field + " and 1 }"),
+                           "test.lua:4: life." + field +
+                               " is known only after a body has moved; a start judges by growth alone"),
+            start("{ life." + field + " and 1 }"));
+    BOOST_TEST(
+        test::contains(refused_body("start = { generations = 2, behaviour = paper.judgement.behaviour }"),
+                       "life.finish is known only"));
+    // The penalty is asked of grown bodies, too.
     BOOST_TEST(test::contains(
-        start("generations = 2, behaviour = function(life) return { life.path[1].x } end"), "test.lua:3"));
+        refused_body("start = { generations = 2, behaviour = function(life) return { life.cells } end },\n"
+                     "penalty = function(life) return life.settle_steps > 0 and 1 or 0 end"),
+        "test.lua:4: life.settle_steps is known only"));
+    const std::string known =
+        "{ life.births, life.cells, life.elongation, life.largest, life.links, life.triangles, "
+        "life.outcome == 'viable' and 1 or 0 }";
+    BOOST_TEST(experiment("return paper.experiment { name = 'x', start = { generations = 2, behaviour = "
+                          "function(life) return " +
+                          known + " end } }")
+                   .settings.size() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(the_descriptors_are_what_they_say) {

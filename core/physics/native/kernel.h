@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/lane_sets.h"
-#include "physics/laws/ground.h"
+#include "physics/native/ground.h"
 #include "physics/native/layout.h"
 
 #include <cstdint>
@@ -12,12 +12,6 @@
 #include <vector>
 
 namespace planula::native {
-
-/// A piece of ground, from this x on to the right.
-struct Slope {
-    float from;
-    GroundPlane<float> plane;
-};
 
 /// One step of all nodes: their state, what acts on them, and the numbers of the laws.
 struct StepTask {
@@ -28,8 +22,9 @@ struct StepTask {
     float knot_steps;               // since the last knot, this one included
     float stiffness, damping;       // of springs
     float time_step, slowing, fall; // v ← (v + F·time_step)·slowing, v_y ← v_y − fall
-    const Slope *ground;            // left to right; the first reaches to the left for ever
-    int slopes;                     // 0: no ground
+    const Piece *ground;            // left to right
+    int pieces;                     // 0: no ground, 1: level
+    int *below;                     // per node, the piece below it when last looked for
     float friction;
     float squared_limit; // of speed
 };

@@ -8,7 +8,6 @@
 #include "base/lanes.h"
 #include "physics/laws/contact.h"
 #include "physics/laws/drag.h"
-#include "physics/laws/ground.h"
 #include "physics/laws/pressure.h"
 #include "physics/laws/spring.h"
 #include "physics/native/kernel.h"
@@ -72,21 +71,42 @@ Vec2<T> add_fan(const StepTask &task, const GroupPair &pair, int lane, const Rec
     return force;
 }
 
-/// The ground below these nodes.
-template <class T> GroundPlane<T> ground_below(const StepTask &task, T x) {
-    if (task.slopes == 1) {
-        const auto &[point, normal] = task.ground->plane;
-        return {{point.x, point.y}, {normal.x, normal.y}};
-    }
-    float at[T::width], plane[4][T::width];
-    store(x, at);
+/// A ground of several pieces as its rules see it.
+struct GroundLine {
+    const Piece *pieces;
+    int count;
+
+    int size() const { return count; }
+    const Piece &operator[](int i) const { return pieces[i]; }
+};
+
+/// The velocity after contact with level ground.
+template <class T> Vec2<T> contact_with_level(const StepTask &task, Vec2<T> position, Vec2<T> v) {
+    const T time_step(task.time_step);
+    const auto &[point, normal] = task.ground->plane;
+    const GroundPlane<T> ground{{point.x, point.y}, {normal.x, normal.y}};
+    // Most nodes are above it together.
+    if (any_of<T>(height_above(ground, position, v, time_step) < T(0)))
+        v = ground_contact(position, v, ground, T(task.friction), time_step);
+    return v;
+}
+
+/// The velocity after contact with ground of several pieces, of nodes from `first` on: node after node.
+template <class T> Vec2<T> contact_with_line(const StepTask &task, int first, Vec2<T> position, Vec2<T> v) {
+    using One = Lanes<1>;
+    const GroundLine line{task.ground, task.pieces};
+    const One friction(task.friction), time_step(task.time_step);
+    float x[T::width], y[T::width], vx[T::width], vy[T::width];
+    store(position.x, x), store(position.y, y), store(v.x, vx), store(v.y, vy);
     for (int lane = 0; lane < T::width; ++lane) {
-        const Slope *slope = task.ground;
-        while (slope + 1 != task.ground + task.slopes && !(at[lane] < slope[1].from)) ++slope;
-        plane[0][lane] = slope->plane.point.x, plane[1][lane] = slope->plane.point.y;
-        plane[2][lane] = slope->plane.normal.x, plane[3][lane] = slope->plane.normal.y;
+        const Vec2<One> at{x[lane], y[lane]};
+        int &below = task.below[first + lane];
+        below = piece_below(line, at.x, below);
+        const Vec2<One> after =
+            contact_on_way(line, below, at, Vec2<One>{vx[lane], vy[lane]}, friction, time_step);
+        vx[lane] = after.x.value, vy[lane] = after.y.value;
     }
-    return {{load<T>(plane[0]), load<T>(plane[1])}, {load<T>(plane[2]), load<T>(plane[3])}};
+    return {load<T>(vx), load<T>(vy)};
 }
 
 /// Nodes and the forces on them.
@@ -98,16 +118,14 @@ template <class T> struct Forced {
 
 /// Moves nodes by a step: semi-implicit Euler with the ground in between (decision 0008). Returns their velocity.
 template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
-    const T time_step(task.time_step), slowing(task.slowing), fall(task.fall), friction(task.friction);
+    const T time_step(task.time_step), slowing(task.slowing), fall(task.fall);
     const auto &[position, velocity] = forced.nodes;
     Vec2<T> v = (velocity + forced.force * time_step) * slowing;
     v.y = v.y - fall;
-    if (task.slopes > 0) {
-        // Most nodes are above it together.
-        const GroundPlane<T> ground = ground_below(task, position.x);
-        if (any_of<T>(height_above(ground, position, v, time_step) < T(0)))
-            v = ground_contact(position, v, ground, friction, time_step);
-    }
+    if (task.pieces == 1)
+        v = contact_with_level(task, position, v);
+    else if (task.pieces > 1)
+        v = contact_with_line(task, forced.first, position, v);
     store_nodes<T>({position + v * time_step, v}, next + forced.first);
     return v;
 }

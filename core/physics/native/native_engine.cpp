@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physics/native/native_engine.h"
 
+#include "body/body.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace planula {
 
@@ -11,20 +12,30 @@ namespace {
 
 Vec2f to_float(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
+/// A point near the body, on the ground if there is one: floats are finest there. It lies whole cells to the side, so
+/// that rounding of the centre of mass moves nothing.
+Vec2d origin_for(const SoftBodyModel &model, const Environment &environment) {
+    const Vec2d centre = centre_of_mass(model.positions);
+    const double x = std::round(centre.x);
+    return {x, environment.has_ground ? ground_height(environment, x) : std::round(centre.y)};
+}
+
 } // namespace
 
 void NativeEngine::load(const SoftBodyModel &model, const Environment &environment) {
     body_ = native::lay_out(model);
     contact_.load(body_, kernel_);
-    lay_ground(environment);
+    origin_ = origin_for(model, environment);
+    ground_ = native::lay_ground(environment, origin_);
 
     // At rest, muscles off.
     now_.clear();
     for (const int cell : body_.cell_of) {
-        const Vec2f place = to_float(model.positions[cell]);
+        const Vec2f place = to_float(model.positions[cell] - origin_);
         now_.push_back({place.x, place.y, 0, 0});
     }
     next_ = now_;
+    below_.assign(now_.size(), 0);
     elongation_.assign(now_.size(), {});
     push_x_.assign(now_.size(), 0), push_y_.assign(now_.size(), 0);
     half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
@@ -47,7 +58,8 @@ void NativeEngine::set_tasks(const Parameters &p, const Environment &environment
              .time_step = dt,
              .fall = static_cast<float>(environment.gravity) * dt,
              .ground = ground_.data(),
-             .slopes = static_cast<int>(ground_.size()),
+             .pieces = static_cast<int>(ground_.size()),
+             .below = below_.data(),
              .friction = static_cast<float>(environment.friction),
              .squared_limit = limit * limit};
     const Vec2f flow = to_float(environment.flow);
@@ -61,22 +73,6 @@ void NativeEngine::set_tasks(const Parameters &p, const Environment &environment
              static_cast<float>(environment.drag_tangential),
              flow.x,
              flow.y};
-}
-
-/// The ground is level beyond the ends of its polyline.
-void NativeEngine::lay_ground(const Environment &environment) {
-    ground_.clear();
-    if (!environment.has_ground) return;
-    const auto &line = environment.ground;
-    const float left = -std::numeric_limits<float>::infinity();
-    ground_.push_back({left, {line.empty() ? Vec2f{} : to_float(line.front()), {0, 1}}});
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Vec2d along = line[i] - line[i - 1];
-        const Vec2d normal = -right_normal(along) / length(along);
-        ground_.push_back({static_cast<float>(line[i - 1].x), {to_float(line[i - 1]), to_float(normal)}});
-    }
-    if (!line.empty())
-        ground_.push_back({static_cast<float>(line.back().x), {to_float(line.back()), {0, 1}}});
 }
 
 void NativeEngine::actuate(std::span<const double> elongations, int steps) {
@@ -130,7 +126,8 @@ void NativeEngine::push_outline() {
 
 std::vector<Vec2d> NativeEngine::positions() const {
     std::vector<Vec2d> result(static_cast<std::size_t>(body_.nodes));
-    for (int node = 0; node < body_.nodes; ++node) result[body_.cell_of[node]] = {now_[node].x, now_[node].y};
+    for (int node = 0; node < body_.nodes; ++node)
+        result[body_.cell_of[node]] = origin_ + Vec2d{now_[node].x, now_[node].y};
     return result;
 }
 

@@ -23,12 +23,13 @@ class NativeEngine : public Engine {
 
   private:
     void set_tasks(const Parameters &parameters, const Environment &environment);
-    void lay_ground(const Environment &environment);
     void push_outline();
 
     const native::Kernel &kernel_;
     native::Layout body_;
-    std::vector<native::Slope> ground_;
+    Vec2d origin_; // that the numbers of nodes and ground count from, world frame
+    std::vector<native::Piece> ground_;
+    std::vector<int> below_; // per node, twins included, the number of a piece of ground
     native::StepTask task_;
     native::DragTask drag_;
     native::Contact contact_;

@@ -16,7 +16,7 @@ const std::vector<std::string> tables{
     "manifest.csv", "settings.csv",       "runs.csv",     "curves.csv",         "endpoints.csv",
     "entropy.csv",  "endpoint_paths.csv", "outcomes.csv", "fitness_shares.csv", "best_genomes.csv",
     "archives.csv", "claims.csv",         "columns.csv",  "parameters.csv",     "shape_diversity.csv",
-    "heredity.csv"};
+    "heredity.csv", "worlds.csv"};
 
 std::vector<Spec> three_settings() {
     return {fake_spec("ns", 12, 10, "novelty"), fake_spec("neat", 12, 10), fake_spec("other", 12, 10)};

@@ -102,6 +102,26 @@ BOOST_AUTO_TEST_CASE(a_parameter_concerns_the_worlds_that_it_shapes) {
     BOOST_TEST(!concerns(row_of("survival_rate"), land));
 }
 
+BOOST_AUTO_TEST_CASE(a_number_that_a_world_states_stands_for_its_parameter) {
+    Spec honey = swimmers();
+    honey.environment.drag_normal = 8;
+    BOOST_TEST(used(row_of("drag_normal"), honey) == 8);
+    honey.world_sources = {{"drag normal", "drag_normal"}};
+    BOOST_TEST(used(row_of("drag_normal"), honey) == honey.parameters.drag_normal);
+
+    // What is taken from another parameter is that one's, in any world.
+    honey.world_sources = {{"drag normal", "gravity"}};
+    BOOST_TEST(concerns(row_of("gravity"), honey));
+    BOOST_TEST(!concerns(row_of("drag_normal"), honey));
+    BOOST_TEST(concerns(row_of("drag_tangential"), honey));
+
+    // The range of actuation has a parameter for either world, of which one stands for a number.
+    BOOST_TEST(concerns(row_of("actuation_range_aquatic"), honey));
+    honey.environment.has_ground = true;
+    BOOST_TEST(!concerns(row_of("actuation_range_aquatic"), honey));
+    BOOST_TEST(used(row_of("actuation_range_terrestrial"), honey) == 0.2);
+}
+
 BOOST_AUTO_TEST_CASE(the_assumed_parameters_are_ours_and_of_lives) {
     const auto names = assumed_parameters();
     const auto has = [&](std::string_view name) {
@@ -117,13 +137,15 @@ BOOST_AUTO_TEST_CASE(a_varied_value_keeps_to_its_range_and_kind) {
     BOOST_TEST(varied(row_of("gravity"), 5, 0.5) == 2.5);
     BOOST_TEST(varied(row_of("node_speed_limit"), 9, 2) == 10);
     BOOST_TEST(varied(row_of("settle_limit"), 5, 0.5) == 3);
+    BOOST_TEST(varied(row_of("drag_normal"), 500, 0.5) == 250); // stated beyond the range
+    BOOST_TEST(varied(row_of("drag_normal"), 500, 2) == 500);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_changes_with_the_same_value_and_all_is_lost_with_an_impossible_one) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers()};
     const Sample sample = draw_samples(settings, {three_runs(folder, settings[0])}, 40, 2).at(0);
-    const SensitivityRow same = vary(sample, settings[0], "spring_stiffness", 2);
+    const SensitivityRow same = vary(sample, settings[0], row_of("spring_stiffness"), 2);
     BOOST_REQUIRE(same.viable_before > 0);
     BOOST_TEST(same.sampled == 40);
     BOOST_TEST(same.value == same.standard);
@@ -135,7 +157,7 @@ BOOST_AUTO_TEST_CASE(nothing_changes_with_the_same_value_and_all_is_lost_with_an
 
     Spec nobody = settings[0];
     set_parameter(nobody.parameters, "minimum_cells", 1000);
-    const SensitivityRow none = vary(sample, nobody, "minimum_cells", 2);
+    const SensitivityRow none = vary(sample, nobody, row_of("minimum_cells"), 2);
     BOOST_TEST(none.viable_after == 0);
     BOOST_TEST(!none.ratio_median.has_value());
     BOOST_TEST(none.best_ratio.value() == 0);
@@ -148,7 +170,9 @@ BOOST_AUTO_TEST_CASE(weaker_muscles_move_less) {
     const Sample sample = draw_samples(settings, {three_runs(folder, settings[0])}, 40, 2).at(0);
     Spec weak = settings[0];
     weak.actuation_range /= 2;
-    const SensitivityRow row = vary(sample, weak, "actuation_range_aquatic", 2);
+    const SensitivityRow row = vary(sample, weak, row_of("actuation_range_aquatic"), 2);
+    BOOST_TEST(row.standard == 0.2);
+    BOOST_TEST(row.value == 0.1);
     BOOST_TEST(row.viable_after == row.viable_before);
     BOOST_TEST(row.ratio_median.value() < 0.8);
     BOOST_TEST(row.ratio_median.value() > 0);

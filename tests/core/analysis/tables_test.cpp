@@ -205,6 +205,30 @@ BOOST_AUTO_TEST_CASE(a_settings_world_is_told_by_its_ground) {
     BOOST_TEST(setting_row(setting).runs == 2);
 }
 
+BOOST_AUTO_TEST_CASE(a_settings_world_is_told_by_its_numbers_and_where_they_are_from) {
+    Spec spec = fake_spec("ns", 2, 5);
+    spec.environment.drag_normal = 8;
+    spec.environment.gravity = 2;
+    spec.world_sources = {{"gravity", "gravity"}};
+    const SettingRuns setting = fake_setting(spec, {1, 2});
+    const auto find = [&](const std::string &quantity) {
+        for (const WorldRow &row : world_rows(setting))
+            if (row.quantity == quantity) return row;
+        throw std::runtime_error("no " + quantity);
+    };
+    BOOST_TEST(find("drag normal").value.value() == 8);
+    BOOST_TEST(find("drag normal").unit == "mass/cell²");
+    BOOST_TEST(find("drag normal").parameter == "");
+    BOOST_TEST(find("gravity").value.value() == 2);
+    BOOST_TEST(find("gravity").parameter == "gravity");
+    BOOST_TEST(find("flow x").value.value() == 0);
+    BOOST_TEST(!find("ground points").value.has_value());
+    spec.environment.has_ground = true;
+    BOOST_TEST(find("ground points").value.value() == 0);
+    spec.environment.ground = {{0, 0}, {1, 1}};
+    BOOST_TEST(find("ground points").value.value() == 2);
+}
+
 BOOST_AUTO_TEST_CASE(a_small_run_gives_a_larger_share_of_its_end_points) {
     Spec spec;
     spec.parameters.population = 40;

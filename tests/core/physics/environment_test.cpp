@@ -39,6 +39,8 @@ BOOST_AUTO_TEST_CASE(nonsense_is_refused_with_the_rule_and_the_value) {
     refused({.has_ground = true, .ground = {{0, 0}}}, "two points");
     refused({.has_ground = true, .ground = {{0, 0}, {0, 1}}}, "ascend in x");
     refused({.has_ground = true, .ground = {{0, 0}, {1, std::nan("")}}}, "finite");
+    refused({.has_ground = true, .ground = {{0, 0}, {1, 2e9}}}, "within 1e+09 of 0, not 2e+09");
+    refused({.has_ground = true, .ground = {{-1e10, 0}, {1, 2}}}, "within 1e+09 of 0");
 }
 
 BOOST_AUTO_TEST_CASE(ground_is_linear_between_its_points_and_level_beyond) {

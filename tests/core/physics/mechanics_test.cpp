@@ -118,6 +118,39 @@ double distance(const std::vector<Vec2d> &a, const std::vector<Vec2d> &b) {
     return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
+/// Kinetic energy and height times gravity, which is 5, per node: on still ground without friction, muscles at rest, it
+/// never rises above its start.
+double energy_of_fall(const Engine &engine) {
+    const auto x = engine.positions();
+    return (kinetic_energy(engine.velocities()) / static_cast<double>(x.size())) + 5 * centre_of_mass(x).y;
+}
+
+/// What becomes of a body that slides on a ground without friction.
+struct Slide {
+    double start = 0, most = 0; // energy_of_fall()
+    double behind = -1e9;       // the highest centre of mass beyond x = 5
+    bool exploded = false;
+    Vec2d end; // its centre of mass
+};
+
+Slide slid(std::vector<Vec2d> ground, double duration, double time_step) {
+    const Environment environment{.gravity = 5, .has_ground = true, .ground = std::move(ground)};
+    Parameters parameters;
+    parameters.time_step = time_step;
+    const auto model = embody(lattice(4, 3), environment, parameters);
+    NativeEngine engine;
+    engine.load(model, environment);
+    Slide slide;
+    slide.start = slide.most = energy_of_fall(engine);
+    for (int t = 0; t < std::lround(duration / time_step); ++t) {
+        slide.exploded |= engine.step(0).exploded;
+        slide.end = centre_of_mass(engine.positions());
+        slide.most = std::max(slide.most, energy_of_fall(engine));
+        if (slide.end.x > 5) slide.behind = std::max(slide.behind, slide.end.y);
+    }
+    return slide;
+}
+
 /// A family of forces, and whether it acts between the body's own nodes.
 struct Family {
     const char *name;
@@ -252,6 +285,60 @@ BOOST_AUTO_TEST_CASE(damped_energy_never_rises_without_actuation) {
             BOOST_TEST(rise < 1e-3 * first);
             BOOST_TEST(before < 1e-2 * first);
         }
+}
+
+BOOST_AUTO_TEST_CASE(still_ground_gives_no_energy_however_narrow_its_walls) {
+    // Down a slope against a wall, and over its edge into a pit, at up to 12 cells/t.u.
+    for (const double time_step : {0.01, 0.002, 1e-3})
+        for (const double width : {1.0, 0.3, 0.1, 0.05, 0.01, 1e-3, 1e-5, 1e-7})
+            for (const double height : {0.8, 1.2, 5.0, -0.8, -5.0}) {
+                const Slide slide = slid({{-20, 10}, {10, -5}, {10 + width, height - 5}, {60, height - 5}},
+                                         time_step < 0.002 ? 10 : 20, time_step);
+                const auto what = [&](double value) {
+                    return "wall " + std::to_string(width) + " wide, " + std::to_string(height) +
+                           " high, dt " + std::to_string(time_step) + ": " + std::to_string(value);
+                };
+                BOOST_TEST(!slide.exploded, what(0));
+                BOOST_TEST(slide.most < slide.start + 1e-3, what(slide.most - slide.start));
+                BOOST_TEST(slide.end.y > std::min(-5.0, height - 5), what(slide.end.y));
+            }
+}
+
+BOOST_AUTO_TEST_CASE(stairs_pits_and_fences_give_no_energy_either) {
+    const std::vector<Vec2d> stairs{{-20, 10}, {-10, 5}, {-10 + 1e-4, 3}, {0, 3},  {1e-4, 1},  {8, 1},
+                                    {8.1, 2},  {12, 2},  {12 + 1e-6, 0},  {20, 0}, {20.01, 9}, {40, 9}};
+    const std::vector<Vec2d> pit{{-9 - 1e-3, 0.8}, {-9, 0}, {9, 0}, {9 + 1e-3, 0.8}};
+    const std::vector<Vec2d> fence{{-20, 10}, {0, 0}, {5, 0}, {5 + 1e-9, 1}, {5 + 2e-9, 0}, {30, 0}};
+    const std::vector<Vec2d> spikes{{-20, 10}, {0, 0}, {0.3, 1}, {0.6, 0}, {0.9, 1}, {1.2, 0}, {20, -5}};
+    for (const auto &ground : {stairs, pit, fence, spikes})
+        for (const double time_step : {0.015, 0.01, 0.002}) {
+            const Slide slide = slid(ground, 20, time_step);
+            BOOST_TEST(!slide.exploded);
+            BOOST_TEST(slide.most < slide.start + 1e-3, slide.most - slide.start);
+        }
+}
+
+BOOST_AUTO_TEST_CASE(a_life_is_the_same_at_any_height_and_place) {
+    const auto moved = [](std::vector<Vec2d> ground, Vec2d place) {
+        const Environment environment{
+            .gravity = 5, .has_ground = true, .ground = std::move(ground), .friction = 0.8};
+        auto model = embody(lattice(7, 3), environment, Parameters{});
+        for (Vec2d &p : model.positions) p.x += place.x;
+        NativeEngine engine;
+        engine.load(model, environment);
+        double fastest = 0;
+        for (int t = 0; t < 1500; ++t) fastest = engine.step(1).fastest;
+        BOOST_TEST(fastest < 0.01);
+        for (int t = 1; t <= 500; ++t) step_with(swinging(model, 0.01 * t), engine);
+        return centre_of_mass(engine.positions()) - place;
+    };
+    const Vec2d expected = moved({}, {});
+    BOOST_TEST(length(expected) > 0.5);
+    for (const Vec2d place : {Vec2d{0, 5}, {0, 1e4}, {0, -1e6}, {1e4, 0}, {-3e5, 1e5}})
+        BOOST_TEST(length(moved({{place.x - 50, place.y}, {place.x + 50, place.y}}, place) - expected) <
+                   1e-3);
+    const Vec2d on_slope = moved({{-100, -20}, {100, 20}}, {});
+    BOOST_TEST(length(moved({{-100, 1e4 - 20}, {100, 1e4 + 20}}, {0, 1e4}) - on_slope) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(the_ledger_of_work_dissipation_and_stored_energy_closes_to_first_order) {

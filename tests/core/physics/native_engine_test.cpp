@@ -78,7 +78,7 @@ Swing swung(const native::Kernel &kernel, const Body &body, const Environment &e
 
 BOOST_AUTO_TEST_CASE(every_width_of_lanes_gives_the_same_bits) {
     Environment hills = land(), stream = water();
-    hills.ground = {{-5, 0}, {-1, 0.5}, {0, 0}, {2, -1}, {6, 1}};
+    hills.ground = {{-5, 0}, {-1, 0.5}, {0, 0}, {0.8, -0.4}, {0.8 + 1e-6, 0.1}, {2, -1}, {6, 1}};
     stream.flow = {0.5, -0.25};
     int contacts = 0;
     for (const Environment &environment : {empty_space(), stream, land(), hills}) {

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The numbers of a setting's environment, once: what a run's identity and the table of worlds call them, and the
+// parameter that the paper's worlds (§2.5) take each from. An experiment may take it from another parameter, or state
+// it itself: then the parameter has no part in its lives.
+#pragma once
+
+#include "experiment/spec.h"
+
+#include <span>
+#include <string_view>
+
+namespace planula {
+
+struct WorldNumber {
+    std::string_view name, unit;
+    double &(*in)(Conditions &conditions);
+    /// The parameter of the paper's worlds; empty if they have no such number.
+    std::string_view (*standard)(const Environment &environment);
+};
+
+/// Gravity first.
+std::span<const WorldNumber> world_numbers();
+
+double value_of(const WorldNumber &number, const Conditions &conditions);
+
+/// The parameter that a setting takes this number from; empty if the experiment states the number itself.
+std::string_view source_of(const WorldNumber &number, const Spec &spec);
+
+/// Whether the paper's worlds are made of this parameter.
+bool is_of_worlds(std::string_view parameter);
+
+/// Whether this setting takes a number of its world from the parameter.
+bool makes_world(std::string_view parameter, const Spec &spec);
+
+/// The number that the experiment states itself and the paper takes from this parameter; null if there is none.
+const WorldNumber *stated_instead_of(std::string_view parameter, const Spec &spec);
+
+} // namespace planula
