@@ -288,6 +288,18 @@ function tables.print_sensitivity()
   print_tabular('lr@{\\quad}rrrr@{\\quad}rrrr', head, lines)
 end
 
+-- The lowest and the highest number of a column, over the rows of all parameters whose names begin so.
+function tables.sensitivity_range(prefix, low_column, high_column)
+  local low, high
+  for _, row in ipairs(data.sensitivity) do
+    local least, most = tonumber(row[low_column]), tonumber(row[high_column or low_column])
+    if row.parameter:sub(1, #prefix) == prefix and least and most then
+      low, high = math.min(low or least, least), math.max(high or most, most)
+    end
+  end
+  return low and ('from %.2f to %.2f'):format(low, high) or 'not known'
+end
+
 -- A number of the sample behind that table.
 function tables.sensitivity(column) return show(data.sensitivity[1][column]) end
 
