@@ -8,6 +8,7 @@ local escape, show, short, percent_of = typeset.escape, typeset.show, typeset.sh
 local row_of, print_tabular = typeset.row_of, typeset.print_tabular
 local tables = {}
 local data, frames, simulated
+local decisions_folder, rules_file = 'paper/decisions', 'paper/sections/rules.tex'
 
 -- ---- Data ----
 
@@ -39,6 +40,42 @@ end
 
 -- The same as a percentage: 40.
 function tables.percent(name) return show(100 * tonumber(data.parameter[name].standard)) end
+
+-- ---- Rules ----
+
+-- The pages of the ledger of assumptions, in order.
+local function decisions()
+  local names = {}
+  for name in lfs.dir(decisions_folder) do
+    if name:match '^%d%d%d%d%-.*%.md$' then names[#names + 1] = name end
+  end
+  table.sort(names)
+  return names
+end
+
+-- Where a rule comes from, as rules.tex has it; four digits are a page of the ledger, which must be there.
+function tables.origin(text)
+  local pages = table.concat(decisions(), '\n')
+  return (text:gsub('%f[%d]%d%d%d%d%f[%D]', function(page)
+    assert(pages:find('%f[%d]' .. page .. '%-'), decisions_folder .. ' has no page ' .. page)
+    return ('\\hyperlink{page:%s}{%s}'):format(page, page)
+  end))
+end
+
+-- Of each parameter the numbers of the rules that it stands in.
+local function rules_by_parameter()
+  local rules, rule = {}, nil
+  for command, name in io.open(rules_file):read('a'):gmatch '\\(%a+){([%w_]+)}' do
+    if command == 'law' then
+      rule = name
+    elseif rule and (command == 'parameter' or command == 'percent' or command == 'choice') then
+      local all = rules[name] or {}
+      rules[name] = all
+      if all[#all] ~= rule then all[#all + 1] = rule end
+    end
+  end
+  return rules
+end
 
 -- How much of the planned design the data hold.
 function tables.size_of_data()
@@ -286,6 +323,18 @@ function tables.print_sensitivity()
   print_tabular('lr@{\\quad}rrrr@{\\quad}rrrr', head, lines)
 end
 
+-- The lowest and the highest number of a column, over the rows of all parameters whose names begin so.
+function tables.sensitivity_range(prefix, low_column, high_column)
+  local low, high
+  for _, row in ipairs(data.sensitivity) do
+    local least, most = tonumber(row[low_column]), tonumber(row[high_column or low_column])
+    if row.parameter:sub(1, #prefix) == prefix and least and most then
+      low, high = math.min(low or least, least), math.max(high or most, most)
+    end
+  end
+  return low and ('from %.2f to %.2f'):format(low, high) or 'not known'
+end
+
 -- A number of the sample behind that table.
 function tables.sensitivity(column) return show(data.sensitivity[1][column]) end
 
@@ -410,40 +459,40 @@ function tables.print_claims()
   tex.print(lines)
 end
 
--- Every parameter with its origin.
+-- Every parameter with its origin and the rules that it stands in.
 function tables.print_parameters()
-  local head = 'parameter & value & unit & origin & meaning \\\\'
-  local lines = { '\\begin{longtable}{@{}lrl>{\\raggedright}p{1.2cm}>{\\raggedright\\arraybackslash}p{6.8cm}@{}}',
+  local head = 'parameter & value & unit & origin & rules & meaning \\\\'
+  local lines = { '\\begin{longtable}{@{}lrl>{\\raggedright}p{1.1cm}>{\\raggedright}p{1.2cm}>{\\raggedright\\arraybackslash}p{5.1cm}@{}}',
     '\\caption{Every parameter of the model. Origin: a section, equation or figure of the paper; MN, the configuration of '
-    .. 'MultiNEAT that the paper used; ours, where nothing public says.}\\label{tab:parameters}\\\\',
+    .. 'MultiNEAT that the paper used; ours, where nothing public says. Rules: of Appendix~\\ref{app:rules}.}\\label{tab:parameters}\\\\',
     '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
-  local section
+  local rules, section = rules_by_parameter(), nil
   for _, row in ipairs(data.parameters) do
     if row.section ~= section then
       section = row.section
-      lines[#lines + 1] = ('\\addlinespace\\multicolumn{5}{@{}l}{\\itshape %s}\\\\*\\addlinespace[2pt]'):format(escape(section))
+      lines[#lines + 1] = ('\\addlinespace\\multicolumn{6}{@{}l}{\\itshape %s}\\\\*\\addlinespace[2pt]'):format(escape(section))
     end
     local value = row.value == '' and 'varies' or typeset.literal(row.value)
     if row.value ~= row.standard and row.value ~= '' then value = ('\\textbf{%s} (%s)'):format(value, typeset.literal(row.standard)) end
-    lines[#lines + 1] = ('%s & %s & %s & %s & %s \\\\'):format(escape(row.name):gsub('\\_', '\\_\\allowbreak{}'), value,
-      escape(row.unit), escape(row.origin), escape(row.meaning))
+    local cited = {}
+    for _, rule in ipairs(rules[row.name] or {}) do cited[#cited + 1] = ('\\rul{%s}'):format(rule) end
+    lines[#lines + 1] = ('%s & %s & %s & %s & %s & %s \\\\'):format(escape(row.name):gsub('\\_', '\\_\\allowbreak{}'), value,
+      escape(row.unit), escape(row.origin), table.concat(cited, ', '), escape(row.meaning))
   end
   lines[#lines + 1] = '\\end{longtable}'
   tex.print(lines)
 end
 
--- The ledger of assumptions: number and title of every page of a folder, in order.
-function tables.print_decisions(folder)
-  local names, lines = {}, { '\\begin{description}' }
-  for name in lfs.dir(folder) do
-    if name:match '^%d%d%d%d%-.*%.md$' then names[#names + 1] = name end
-  end
-  table.sort(names)
-  for _, name in ipairs(names) do
-    local text = io.open(folder .. '/' .. name):read 'a'
+-- The ledger of assumptions: number, title and decision of every page.
+function tables.print_decisions()
+  local lines = { '\\begin{description}' }
+  for _, name in ipairs(decisions()) do
+    local text = io.open(decisions_folder .. '/' .. name):read 'a'
     local title = assert(text:match '\n?# (.-)\n', name .. ' has no title')
     local decision = assert(text:match '## Decision\n+(.-)\n\n', name .. ' has no decision')
-    lines[#lines + 1] = ('\\item[%s] \\textbf{%s.} %s'):format(name:sub(1, 4), escape(title), typeset.marked_up(escape(decision):gsub('\n', ' ')))
+    local number = name:sub(1, 4)
+    lines[#lines + 1] = ('\\item[\\hypertarget{page:%s}{%s}] \\textbf{%s.} %s'):format(number, number, escape(title),
+      typeset.marked_up(escape(decision):gsub('\n', ' ')))
   end
   lines[#lines + 1] = '\\end{description}'
   tex.print(lines)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The contract between genes and biology: which input and which output of the control network means what
-// (§2.2, 2.3, 2.6; MODEL section 2). The two actuations share the inputs and the first four outputs.
+// (§2.2, 2.3, 2.6; rules N1 and N2). The two actuations share the inputs and the first four outputs.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a cell perceives (§2.2; MODEL section 2): where it is, directly and through four maternal morphogens,
+// What a cell perceives (§2.2; rule N1): where it is, directly and through four maternal morphogens,
 // what its neighbours say, and how late it is. Positions are in the development frame.
 #pragma once
 

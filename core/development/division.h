@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Division and death (§2.3, 2.4; MODEL section 1).
+// Division and death (§2.3, 2.4; rules D10 to D18).
 #pragma once
 
 #include "development/embryo.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The physics of an embryo: disks on damped springs in a viscous fluid (§2.1; MODEL D8–D10).
+// The physics of an embryo: disks on damped springs in a viscous fluid (§2.1; rules D6 to D8).
 #pragma once
 
 #include "development/embryo.h"

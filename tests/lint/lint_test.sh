@@ -43,9 +43,10 @@ TXT
 double grow(double x) { return planula::math::tanh(x) + planula::math::exp(x) + 1'000; }
 const char *words = "std::sin(x) \" std::mt19937 //"; // log(x)
 TXT
-    mkdir -p "$project"/core/parameters "$project"/paper/decisions
+    mkdir -p "$project"/core/parameters "$project"/paper/{decisions,sections}
     printf '// SPDX-License-Identifier: MIT\nPARAMETER(double, gravity, 5, 0, 9, "1", "ours", "weight")\n' > "$project/core/parameters/parameters.inl"
-    printf '# Land\n\n`gravity` 5\n' > "$project/paper/decisions/0001-land.md"
+    printf '# Land\n\n`gravity` 5, `direction` down\n' > "$project/paper/decisions/0001-land.md"
+    printf '%% SPDX-License-Identifier: MIT\n\\law{L1}{World} \\parameter{gravity}, \\choice{direction}: \\alternative{down}.\n' > "$project/paper/sections/rules.tex"
     printf '#include <iostream>\n' >> "$project/core/record/write.h"
     printf '#include <thread>\n' >> "$project/core/base/parallel.h"
     printf '#include <immintrin.h>\n' >> "$project/core/base/lanes.h"
@@ -127,6 +128,14 @@ catches sources.sh 'no page of paper/decisions names' core/parameters/parameters
     '// SPDX-License-Identifier: MIT\nPARAMETER(double, ether, 1, 0, 2, "1", "ours", "unexplained")'
 catches sources.sh 'no page of paper/decisions names' core/parameters/parameters.inl \
     '// SPDX-License-Identifier: MIT\nCHOICE(Ether, ether, still, "ours", "unexplained", still, moving)'
+
+catches sources.sh 'no rule of the article uses' core/parameters/parameters.inl \
+    '// SPDX-License-Identifier: MIT\nPARAMETER(double, ether, 1, 0, 2, "1", "MN", "in no rule")'
+catches sources.sh 'no rule of the article describes' core/parameters/parameters.inl \
+    '// SPDX-License-Identifier: MIT\nCHOICE(Direction, direction, down, "ours", "where to", down, up)'
+catches sources.sh 'a rule that the article does not have' core/physics/step.h '// Gravity (ru''le L2).'
+catches sources.sh 'a rule that the article does not have' core/physics/step.h '// Gravity (§2.5; ru''les L1 to L3).'
+catches sources.sh 'a rule that the article does not have' paper/sections/more.tex '% SPDX-License-Identifier: MIT\nGravity (\\ru''l{L4}).'
 
 if ((failed)); then
     echo "lint_test: $failed of $checked plants slip through"

@@ -56,6 +56,32 @@ found 'a parameter of ours that no page of paper/decisions names' < <(
     done
 )
 
+# The article's rules are the whole model: every parameter but those of statistics, and every alternative of a choice.
+rules=paper/sections/rules.tex
+table=core/parameters/parameters.inl
+model=$(sed '/^SECTION("Statistics")/,/^SECTION/d' "$table" 2> /dev/null | sed -nE 's/^(PARAMETER|CHOICE)\([A-Za-z]+, ([a-z0-9_]+),.*/\2/p' || true)
+found 'a parameter of the model that no rule of the article uses' < <(
+    for name in $model; do
+        grep -qE "[\\](parameter|percent|choice)\{$name\}" "$rules" || grep -nE "^(PARAMETER|CHOICE)\([A-Za-z]+, $name," /dev/null "$table"
+    done
+)
+found 'an alternative of a choice that no rule of the article describes' < <(
+    { grep -n '^CHOICE' "$table" 2> /dev/null || true; } | while IFS= read -r choice; do
+        for name in $(sed -E 's/.*", ([a-z0-9_, ]+)\)$/\1/; s/,//g' <<< "$choice"); do
+            grep -qE "[\\]alternative\{$name\}" "$rules" || echo "$table:${choice%%:*}:"
+        done
+    done
+)
+# Whoever cites rules by their numbers finds them there.
+found 'a rule that the article does not have' < <(
+    cited='(^|[^A-Za-z])rules? [A-Z]{1,2}[0-9]+((,| and| to) [A-Z]{1,2}[0-9]+)*|[\\]rul\{[A-Z]{1,2}[0-9]+'
+    { grep -noE "$cited" /dev/null "${texts[@]}" || true; } | while IFS=: read -r file line words; do
+        for rule in $(grep -oE '[A-Z]{1,2}[0-9]+' <<< "$words"); do
+            grep -qE "[\\]law\{$rule\}" "$rules" || echo "$file:$line:"
+        done
+    done
+)
+
 if ((errors)); then
     echo "sources: $errors violations"
     exit 1

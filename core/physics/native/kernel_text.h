@@ -135,7 +135,7 @@ template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const 
     T fastest(0);
     auto within = fastest <= limit;
     const auto finish = [&](const Forced<T> &forced) {
-        // The guard (B5); numbers that are not are within no limit.
+        // The guard (rule B7); numbers that are not are within no limit.
         const T squared = squared_length(advance(task, forced, next));
         within = within & (squared <= limit);
         fastest = max(fastest, squared);

@@ -21,7 +21,7 @@ const auto near = boost::test_tools::tolerance(1e-12);
 } // namespace
 
 BOOST_AUTO_TEST_CASE(neighbours_are_pulled_to_the_sum_of_their_radii) {
-    // D9: k (l − L) = 1000 · 0.2, equal and opposite.
+    // Rule D6: k (l − L) = 1000 · 0.2, equal and opposite.
     const auto apart = tissue_forces(pair(1.2), Parameters{});
     BOOST_TEST(apart[0].x == 200, near);
     BOOST_TEST(apart[1].x == -200, near);
