@@ -48,6 +48,10 @@ add { name = "recurrence", search = "neat", actuation = "grn",
         compatibility_threshold = 5, compatibility_floor = 4.5,
       }, species) }
 add { name = "archive", search = "novelty", parameters = archive }
+-- A threshold that nobody reaches falls to its lowest value.
+add { name = "quiet-archive", search = "novelty",
+      parameters = brief { population = 4, generations = 8, archive_threshold = 100, archive_floor = 75, archive_patience = 2,
+                           archive_lower = 0.9 } }
 add { name = "nsga2", search = "nsga2", actuation = "grn", parameters = archive }
 add { name = "nslc", search = "nslc", environment = paper.terrestrial(), behaviour = descriptors.shape, parameters = archive }
 add { name = "map-elites", search = "map-elites", behaviour = descriptors.size_and_direction,

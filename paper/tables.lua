@@ -435,7 +435,8 @@ end
 -- The verdict; marked if the corrected p does not decide it.
 local function verdict_of(row)
   local alone = row.decided_by == 'p' or row.decided_by == 'p_equivalence'
-  return ('\\verdict{%s}%s'):format(escape(row.verdict), alone and '\\rlap{$^*$}' or '')
+  local marks = (alone and '*' or '') .. (row.calibrated == '1' and '\\dagger' or '')
+  return ('\\verdict{%s}%s'):format(escape(row.verdict), marks ~= '' and ('\\rlap{$^{%s}$}'):format(marks) or '')
 end
 
 -- The claims of the paper with verdicts.
@@ -446,6 +447,7 @@ function tables.print_claims()
     .. 'larger value than one of the second (one half: no difference); intervals are bootstrap intervals, none with fewer than ten runs; $p$ is that of the two-tailed '
     .. 'test of a difference, with its method and its value corrected after Holm over all $p$ of the table; equivalence: that no difference beyond the stated bound is left. '
     .. 'Small print: sides, runs, generation of the one planned, and what limits a verdict. A verdict is decided by $p$ alone where it carries an asterisk, else by the corrected $p$ as well. '
+    .. 'A dagger marks what was used to choose the reading of the article: such a verdict is no evidence. '
     .. 'Open: runs, generations or individuals are missing.}\\label{tab:claims}\\\\',
     '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
   local previous

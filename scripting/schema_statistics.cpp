@@ -10,8 +10,9 @@ namespace {
 constexpr std::string_view statistics_keys[] = {
     "confidence",   "resamples",       "interval_runs",      "significance", "sample_share",
     "sample_least", "fitness_classes", "direction_distance", "endpoints",    "claims"};
-constexpr std::string_view claim_keys[] = {"id", "statement",  "section", "paper", "test",  "a",
-                                           "b",  "generation", "expect",  "level", "count", "bound"};
+constexpr std::string_view claim_keys[] = {"id",    "statement", "section",    "paper",  "test",
+                                           "a",     "b",         "generation", "expect", "level",
+                                           "count", "bound",     "calibrated"};
 
 std::vector<std::string> read_endpoints(Reader &reader, std::span<const Spec> settings, Problems &problems) {
     std::vector<std::string> names;
@@ -46,6 +47,8 @@ Claim read_claim(const Value &table, const Place &place, Problems &problems) {
     claim.level = reader.number("level").value_or(0);
     claim.count = reader.whole("count");
     claim.bound = reader.number("bound").value_or(0);
+    const Value *calibrated = reader.field("calibrated", Value::Kind::boolean, false);
+    claim.calibrated = calibrated != nullptr && calibrated->boolean;
     return claim;
 }
 

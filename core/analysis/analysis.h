@@ -24,11 +24,12 @@ namespace planula {
 /// A claim of the paper: that the test comes out as expected for setting a (against setting b).
 struct Claim {
     std::string id, statement, section, paper, test, a, b;
-    int generation = 0; // counted from 1: 2000 is the last of 2000; 0: the last of the design
-    std::string expect; // of the rank-sum tests: greater, less or no_difference
-    double level = 0;   // of mean_ahead and cyclic
-    int count = 0;      // of top_runs, cyclic and elongated
-    double bound = 0;   // of no_difference and cyclic: what is still as good as none
+    int generation = 0;      // counted from 1: 2000 is the last of 2000; 0: the last of the design
+    std::string expect;      // of the rank-sum tests: greater, less or no_difference
+    double level = 0;        // of mean_ahead and cyclic
+    int count = 0;           // of top_runs, cyclic and elongated
+    double bound = 0;        // of no_difference and cyclic: what is still as good as none
+    bool calibrated = false; // what it says was used to choose the model, so that its verdict is no evidence
 };
 
 /// What an experiment wants to know of its runs.

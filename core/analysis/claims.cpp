@@ -109,6 +109,7 @@ ClaimRow judge_claim(const Claim &claim, const Analysis &analysis, std::span<con
             .method = finding.method,
             .p_equivalence = finding.p_equivalence,
             .verdict = note.empty() ? finding.verdict : "open",
+            .calibrated = claim.calibrated,
             .note = note.empty() ? finding.note : note};
 }
 

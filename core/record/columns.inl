@@ -342,6 +342,7 @@ COLUMN(Maybe, p_equivalence, "1", "p-value of the test that there is no differen
 COLUMN(Maybe, p_equivalence_holm, "1", "p_equivalence corrected after Holm, over all p and p_equivalence of the table")
 COLUMN(std::string, verdict, "", "reproduced, contradicted, inconclusive, or open while data are missing")
 COLUMN(std::string, decided_by, "", "the column whose value below the significance decides the verdict: p_holm or p_equivalence_holm if that is, else p or p_equivalence alone; empty if none decides")
+COLUMN(int, calibrated, "0 or 1", "1: what the claim says was used to choose the model, so that its verdict is no evidence")
 COLUMN(std::string, note, "", "what limits the verdict")
 END_TABLE
 

@@ -95,42 +95,42 @@ return planula.fill({
 
     -- §3.1: all runs end in a cyclic gait, but for one swimmer and one walker of NEAT with gene networks.
     {
-      id = "S7a", statement = "Swimmers with oscillators, NEAT: all gaits are cyclic",
+      id = "S7a", statement = "Swimmers with oscillators, NEAT: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "osc-aq-neat", level = late_share, count = 0,
       bound = without_gait,
     },
     {
-      id = "S7b", statement = "Swimmers with oscillators, novelty: all gaits are cyclic",
+      id = "S7b", statement = "Swimmers with oscillators, novelty: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "osc-aq-ns", level = late_share, count = 0,
       bound = without_gait,
     },
     {
-      id = "S7c", statement = "Walkers with oscillators, NEAT: all gaits are cyclic",
+      id = "S7c", statement = "Walkers with oscillators, NEAT: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "osc-te-neat", level = late_share, count = 0,
       bound = without_gait,
     },
     {
-      id = "S7d", statement = "Walkers with oscillators, novelty: all gaits are cyclic",
+      id = "S7d", statement = "Walkers with oscillators, novelty: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "osc-te-ns", level = late_share, count = 0,
       bound = without_gait,
     },
     {
-      id = "S7e", statement = "Swimmers with gene networks, NEAT: all gaits but one are cyclic",
+      id = "S7e", statement = "Swimmers with gene networks, NEAT: all gaits but one are cyclic", calibrated = true,
       section = "§3.1", paper = "1 of 20 is not", test = "cyclic", a = "grn-aq-neat", level = late_share, count = 1,
       bound = without_gait,
     },
     {
-      id = "S7f", statement = "Swimmers with gene networks, novelty: all gaits are cyclic",
+      id = "S7f", statement = "Swimmers with gene networks, novelty: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "grn-aq-ns", level = late_share, count = 0,
       bound = without_gait,
     },
     {
-      id = "S7g", statement = "Walkers with gene networks, NEAT: all gaits but one are cyclic",
+      id = "S7g", statement = "Walkers with gene networks, NEAT: all gaits but one are cyclic", calibrated = true,
       section = "§3.1", paper = "1 of 20 is not", test = "cyclic", a = "grn-te-neat", level = late_share, count = 1,
       bound = without_gait,
     },
     {
-      id = "S7h", statement = "Walkers with gene networks, novelty: all gaits are cyclic",
+      id = "S7h", statement = "Walkers with gene networks, novelty: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "grn-te-ns", level = late_share, count = 0,
       bound = without_gait,
     },
@@ -172,19 +172,19 @@ return planula.fill({
 
     -- §3.5: the spread of fitness in the last generation, relative to the highest.
     {
-      id = "S12a", statement = "Swimmers with oscillators: NEAT loses fitness diversity",
+      id = "S12a", statement = "Swimmers with oscillators: NEAT loses fitness diversity", calibrated = true,
       section = "§3.5", paper = "Fig. 11", test = "fitness_spread", a = "osc-aq-neat", b = "osc-aq-ns", expect = "less",
     },
     {
-      id = "S12b", statement = "Walkers with oscillators: NEAT loses fitness diversity",
+      id = "S12b", statement = "Walkers with oscillators: NEAT loses fitness diversity", calibrated = true,
       section = "§3.5", paper = "Fig. 11", test = "fitness_spread", a = "osc-te-neat", b = "osc-te-ns", expect = "less",
     },
     {
-      id = "S12c", statement = "Swimmers with gene networks: NEAT loses fitness diversity",
+      id = "S12c", statement = "Swimmers with gene networks: NEAT loses fitness diversity", calibrated = true,
       section = "§3.5", paper = "Fig. 11", test = "fitness_spread", a = "grn-aq-neat", b = "grn-aq-ns", expect = "less",
     },
     {
-      id = "S12d", statement = "Walkers with gene networks: NEAT loses fitness diversity",
+      id = "S12d", statement = "Walkers with gene networks: NEAT loses fitness diversity", calibrated = true,
       section = "§3.5", paper = "Fig. 11", test = "fitness_spread", a = "grn-te-neat", b = "grn-te-ns", expect = "less",
     },
 

@@ -37,14 +37,14 @@ struct Row {
     bool called(std::string_view word) const { return word == task.name || word == name(); }
 };
 
-/// Every benchmark, each with the paper's settings and with its own.
+/// Every benchmark, each with MultiNEAT's settings and with its own.
 std::vector<Row> all_rows() {
     constexpr std::string_view stanley = "Stanley & Miikkulainen 2002", gomez = "Gomez et al. 2008",
                                lehman = "Lehman & Stanley 2011";
     std::vector<Row> rows;
     const auto add = [&](const Task &task, std::string_view search, int budget, const Settings &own,
                          const Published &published) {
-        rows.push_back({task, search, paper_settings(), budget, published});
+        rows.push_back({task, search, multineat_settings(), budget, published});
         rows.push_back({task, search, own, budget, published});
     };
     const Settings small = stanley_settings(false), large = stanley_settings(true), mazes = lehman_settings();

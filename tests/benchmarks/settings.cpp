@@ -9,7 +9,11 @@ constexpr double slope = 2.45; // of their sigmoid, as a tanh
 
 } // namespace
 
-Settings paper_settings() { return {"paper", Parameters()}; }
+Settings multineat_settings() {
+    Parameters p;
+    p.start_weight = p.weight_power = 1;
+    return {"multineat", p};
+}
 
 Settings stanley_settings(bool large) {
     Parameters p;
@@ -29,7 +33,7 @@ Settings stanley_settings(bool large) {
     p.remove_link_rate = 0;
     p.mutate_weights_rate = 0.8;
     p.weight_severe_rate = 0.1;
-    p.weight_power = p.weight_replacement = (large ? 1.8 : 2.5) * slope;
+    p.start_weight = p.weight_power = p.weight_replacement = (large ? 1.8 : 2.5) * slope;
     p.weight_limit = 1000;
     p.recurrent_rate = 0.2;
     p.link_tries = 20;
@@ -56,7 +60,7 @@ Settings lehman_settings() {
     p.remove_link_rate = 0;
     p.mutate_weights_rate = 0.6;
     p.weight_severe_rate = 0.1;
-    p.weight_power = p.weight_replacement = 0.8 * slope;
+    p.start_weight = p.weight_power = p.weight_replacement = 0.8 * slope;
     p.weight_limit = 1000;
     p.recurrent_rate = 0.2;
     p.link_tries = 40;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters that the benchmarks are run with: the paper's, and those that the benchmarks were published with as
+// The parameters that the benchmarks are run with: MultiNEAT's, and those that the benchmarks were published with as
 // far as planula's parameters can express them.
 //
 // The publications' networks use the sigmoid 1/(1 + exp(−4.9 x)) = (1 + tanh(2.45 x))/2, ours tanh x: their weights
@@ -17,8 +17,9 @@ struct Settings {
     Parameters parameters;
 };
 
-/// Joachimczak, Suzuki & Arita (2015): the defaults, MultiNEAT's.
-Settings paper_settings();
+/// The defaults of MultiNEAT at the revision that the paper names: those of planula but for the scale of weights at the
+/// start and of their mutations.
+Settings multineat_settings();
 /// Stanley & Miikkulainen (2002), section 4 and appendix A: 150 networks, or 1000 with other rates for two poles
 /// without velocities.
 Settings stanley_settings(bool large);

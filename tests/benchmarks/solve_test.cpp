@@ -84,6 +84,6 @@ BOOST_AUTO_TEST_CASE(a_run_repeats_and_seeds_differ) {
 
 BOOST_AUTO_TEST_CASE(every_setting_is_consistent) {
     for (const Settings &settings :
-         {paper_settings(), stanley_settings(false), stanley_settings(true), lehman_settings()})
+         {multineat_settings(), stanley_settings(false), stanley_settings(true), lehman_settings()})
         BOOST_CHECK_NO_THROW(check_consistency(settings.parameters));
 }

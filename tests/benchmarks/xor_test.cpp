@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(evolution_solves_it_every_time) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         const Solution own = solve(xor_task(), "neat", stanley_settings(false).parameters, seed, 100);
         BOOST_TEST(own.solved);
-        const Solution paper = solve(xor_task(), "neat", paper_settings().parameters, seed, 150);
+        const Solution paper = solve(xor_task(), "neat", multineat_settings().parameters, seed, 150);
         BOOST_TEST(paper.solved);
     }
 }

@@ -298,6 +298,9 @@ BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {
                               "test.lua:5: claim 'S1'"));
     BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expects = 'greater' }"),
                               "did you mean 'expect'?"));
+    BOOST_TEST(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater', calibrated = true }") == "");
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater', calibrated = 1 }"),
+                              "calibrated must be true or false"));
     BOOST_TEST(test::contains(claims("{ id = 'S1' }"), "statement is missing"));
     BOOST_TEST(test::contains(refused_body("statistics = 'paper.statistic'"),
                               "test.lua:3: no module 'paper.statistic'"));

@@ -36,6 +36,14 @@ ClaimRow judge(const Claim &claim, const std::vector<double> &ns, const std::vec
 
 } // namespace
 
+BOOST_AUTO_TEST_CASE(a_calibrated_claim_is_judged_and_marked) {
+    Claim claim = fake_claim("best_at_generation", "greater");
+    BOOST_TEST(judge(claim, high, low).calibrated == 0);
+    claim.calibrated = true;
+    BOOST_TEST(judge(claim, high, low).calibrated == 1);
+    BOOST_TEST(judge(claim, high, low).verdict == "reproduced");
+}
+
 BOOST_AUTO_TEST_CASE(a_clear_difference_is_reproduced_with_effect_interval_and_p) {
     const ClaimRow row = judge(fake_claim("best_at_generation", "greater"), high, low);
     BOOST_TEST(row.verdict == "reproduced");

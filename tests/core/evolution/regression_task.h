@@ -92,7 +92,8 @@ inline Row describe(const Population &population, const std::vector<double> &sco
 
 /// Rows of generations 0 … last.
 inline std::vector<Row> evolve(bool recurrent, int last, std::uint64_t seed) {
-    const Parameters parameters;
+    Parameters parameters; // the library's, as its reference values are
+    parameters.start_weight = parameters.weight_power = 1;
     Population population = initial_population(shape(recurrent), parameters, seed);
     std::vector<Row> rows;
     for (;;) {
@@ -100,7 +101,7 @@ inline std::vector<Row> evolve(bool recurrent, int last, std::uint64_t seed) {
         for (const auto &genome : population.genomes) scores.push_back(fitness(genome, recurrent));
         rows.push_back(describe(population, scores));
         if (population.generation == last) return rows;
-        population = reproduce(population, scores, true, recurrent, parameters, seed);
+        population = reproduce(population, scores, Adjustment::sharing, recurrent, parameters, seed);
     }
 }
 

@@ -86,7 +86,6 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_library_are_the_librarys) {
     BOOST_TEST(p.remove_link_rate == 0.01);
     BOOST_TEST(p.mutate_weights_rate == 0.75);
     BOOST_TEST(p.weight_severe_rate == 0.25);
-    BOOST_TEST(p.weight_power == 1);
     BOOST_TEST(p.weight_replacement == 1);
     BOOST_TEST(p.weight_limit == 8);
     BOOST_TEST(p.recurrent_rate == 0.25);
