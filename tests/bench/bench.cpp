@@ -57,7 +57,7 @@ void novelty_query(benchmark::State &state, int archived) {
 }
 
 void embryo(benchmark::State &state, Actuation actuation, const Genome &genome) {
-    const Parameters parameters;
+    const Parameters parameters = specimens::turning();
     const Network network = express(genome, parameters.propagation_limit);
     int cells = 0;
     for (auto _ : state) cells = grow(network, actuation, parameters).cells;

@@ -31,6 +31,7 @@ inline constexpr Size sizes[] = {{6, 5}, {10, 10}, {20, 10}};
 
 inline Conditions conditions(Actuation actuation, const World &world) {
     Conditions result;
+    result.parameters = specimens::turning();
     const Parameters &p = result.parameters;
     result.actuation = actuation;
     result.environment = world.environment;

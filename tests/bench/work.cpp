@@ -44,7 +44,7 @@ double network_updates(Actuation actuation) {
 }
 
 double embryo(Actuation actuation) {
-    const Parameters parameters;
+    const Parameters parameters = specimens::turning();
     const Network network = express(specimens::disc_genome(actuation), parameters.propagation_limit);
     return grow(network, actuation, parameters).cells;
 }

@@ -18,6 +18,7 @@ namespace {
 Parameters few() {
     Parameters parameters;
     parameters.population = 20;
+    parameters.start_weight = parameters.weight_power = 1;
     return parameters;
 }
 

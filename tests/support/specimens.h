@@ -7,6 +7,7 @@
 #include "body/body.h"
 #include "cell/channels.h"
 #include "genome/genome.h"
+#include "parameters/parameters.h"
 #include "physics/environment.h"
 
 #include <algorithm>
@@ -33,6 +34,14 @@ inline void add_link(Genome &genome, int from, int to, double weight) {
 /// A link from an input channel to an output channel.
 inline void wire(Genome &genome, input::Channel from, output::Channel to, double weight) {
     add_link(genome, from, genome.inputs + static_cast<int>(to), weight);
+}
+
+/// The reading under which these genomes grow what they are called: mother and daughter turn, by up to half a turn.
+inline Parameters turning(Parameters parameters = {}) {
+    parameters.division_turn = DivisionTurn::both;
+    parameters.orientation_frame = OrientationFrame::plane;
+    parameters.division_angle_range = 1;
+    return parameters;
 }
 
 /// Every input linked to every output with triangular weights, as in generation 0.

@@ -31,14 +31,16 @@ constexpr auto near = 1e-12;
 } // namespace
 
 BOOST_AUTO_TEST_CASE(the_direction_is_the_mean_of_the_neighbours_turned_by_the_angle_output) {
+    Parameters full;
+    full.division_angle_range = 1;
     Embryo embryo = star({{0, 0}, {1, 0}, {0, 1}});
     embryo.cells[1].orientation = {1, 0};
     embryo.cells[2].orientation = {0, 1};
-    const Vec2d mean = division_direction(embryo, 0, 0, {});
+    const Vec2d mean = division_direction(embryo, 0, 0, full);
     BOOST_TEST(length(mean - Vec2d{std::sqrt(0.5), std::sqrt(0.5)}) < near);
-    const Vec2d turned = division_direction(embryo, 0, 0.25, {}); // + 45 degrees
+    const Vec2d turned = division_direction(embryo, 0, 0.25, full); // + 45 degrees
     BOOST_TEST(length(turned - Vec2d{0, 1}) < near);
-    BOOST_TEST(length(division_direction(embryo, 0, 1, {}) + mean) < near);
+    BOOST_TEST(length(division_direction(embryo, 0, 1, full) + mean) < near);
     Parameters narrow;
     narrow.division_angle_range = 0.25;
     BOOST_TEST(length(division_direction(embryo, 0, 1, narrow) - turned) < near);
@@ -71,8 +73,6 @@ BOOST_AUTO_TEST_CASE(a_daughter_touches_her_mother_and_inherits) {
     BOOST_TEST(daughter.morphogen == 0.75);
     BOOST_TEST(embryo.activations.cells() == 2);
     for (int node = 0; node < 3; ++node) BOOST_TEST(embryo.activations.at(1, node) == node + 1);
-    BOOST_TEST((mother.orientation == Vec2d{0, 1}));
-    BOOST_TEST((daughter.orientation == Vec2d{0, 1}));
     BOOST_TEST(daughter.id == 1);
     BOOST_TEST(embryo.births == 2);
     BOOST_TEST(embryo.largest == 2);

@@ -17,6 +17,7 @@ namespace {
 
 Conditions conditions(Actuation actuation, bool on_land) {
     Conditions c;
+    c.parameters = turning();
     c.actuation = actuation;
     c.environment = on_land ? land() : water();
     c.actuation_range =
@@ -65,14 +66,14 @@ BOOST_AUTO_TEST_CASE(development_alone_says_of_a_body_what_the_whole_life_says) 
 }
 
 BOOST_AUTO_TEST_CASE(a_body_without_muscles_ends_where_it_starts) {
-    // What nothing moves moves less than 1e-3 cells; pressure is rounded at each corner of a triangle.
+    // What nothing moves moves less than 4e-3 cells in 4000 steps; pressure is rounded at each corner of a triangle.
     Genome still = lump_genome(Actuation::grn, 6);
     std::erase_if(still.links,
                   [&](const LinkGene &link) { return link.to == still.inputs + output::spring; });
     const Life life = lived(still, Actuation::grn, false);
     BOOST_TEST(life.outcome == Outcome::viable);
-    BOOST_TEST(life.displacement() < 1e-3);
-    BOOST_TEST(length(life.end) < 1e-3);
+    BOOST_TEST(life.displacement() < 4e-3);
+    BOOST_TEST(length(life.end) < 4e-3);
     BOOST_TEST(life.activity == 0);
 }
 

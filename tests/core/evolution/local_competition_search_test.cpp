@@ -66,6 +66,7 @@ BOOST_AUTO_TEST_CASE(a_niche_of_low_fitness_is_improved_although_others_are_fitt
     };
     Parameters parameters = of(40, 8);
     parameters.add_node_rate = parameters.add_link_rate = parameters.remove_link_rate = 0;
+    parameters.weight_power = 1;
     ToyRun run("nslc", parameters, 2, judge);
     const auto &search = dynamic_cast<const LocalCompetitionSearch &>(*run.search);
     run.steps(60);

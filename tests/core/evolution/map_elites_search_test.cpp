@@ -92,6 +92,7 @@ BOOST_AUTO_TEST_CASE(a_known_map_is_covered_and_its_score_approached) {
     };
     Parameters parameters = of(50, 0.5);
     parameters.add_node_rate = parameters.add_link_rate = parameters.remove_link_rate = 0;
+    parameters.weight_power = 1;
     parameters.crossover_rate = 0; // every child is mutated
     ToyRun run("map-elites", parameters, 1, judge);
     const auto &search = dynamic_cast<const MapElitesSearch &>(*run.search);

@@ -111,6 +111,7 @@ BOOST_AUTO_TEST_CASE(individuals_kept_from_another_run_are_refused) {
             StateWriter writer;
             save(early.population, writer);
             kept.search->save(kept.population, writer);
+            kept.mothers.save(writer);
             loaded(spec, writer.bytes(), archive_of(kept));
         };
         load_mixed(early);

@@ -267,7 +267,8 @@ BOOST_AUTO_TEST_CASE(removal_draws_all_links_but_the_newest_equally) {
 }
 
 BOOST_AUTO_TEST_CASE(weights_are_all_replaced_or_all_moved_and_stay_within_the_limit) {
-    const Parameters parameters;
+    Parameters parameters;
+    parameters.weight_power = 1;
     Innovations innovations;
     Genome ancestor = connected(9, 6, innovations);
     for (auto &link : ancestor.links) link.weight = 5;

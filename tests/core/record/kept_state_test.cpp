@@ -56,7 +56,7 @@ Population late_population() {
     for (int generation = 0; generation < 10; ++generation) {
         std::vector<double> scores(population.genomes.size());
         for (double &score : scores) score = stream.uniform();
-        population = reproduce(population, scores, true, false, parameters, 1);
+        population = reproduce(population, scores, Adjustment::sharing, false, parameters, 1);
     }
     return population;
 }
