@@ -6,8 +6,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <ctime>
+#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <utility>
 
 #include <sys/time.h>
