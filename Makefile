@@ -215,7 +215,7 @@ $(OUT)/design: always
 	@mkdir -p $(OUT)
 	@echo '$(EXPERIMENT) $(DESIGN)' | cmp -s - $@ || echo '$(EXPERIMENT) $(DESIGN)' > $@
 
-TABLES = manifest settings runs curves endpoints endpoint_paths archives shape_diversity heredity fitness_shares entropy outcomes claims best_genomes columns parameters
+TABLES = manifest settings worlds runs curves endpoints endpoint_paths archives shape_diversity heredity fitness_shares entropy outcomes claims best_genomes columns parameters
 WITNESS = witness engines
 $(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manifest.csv)
 	@echo 'data: reducing …'
