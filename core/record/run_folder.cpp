@@ -141,6 +141,7 @@ bool has_journals(const std::filesystem::path &folder) {
 
 void remove_journals(const std::filesystem::path &folder) {
     remove_checkpoints(folder);
+    remove_unfinished_states(folder);
     for (const std::string_view file : run_tables) remove_file(journal_path(folder / file));
     remove_file(journal_path(folder / ChainRow::file_name));
 }

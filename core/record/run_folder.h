@@ -68,7 +68,8 @@ std::vector<std::filesystem::path> script_files(const std::filesystem::path &fol
 /// Whether there are checkpoints or journals: the run is under way, or was killed.
 bool has_journals(const std::filesystem::path &folder);
 
-/// Removes what only a run that is under way needs: checkpoints and journals.
+/// Removes what only a run that is under way needs: checkpoints, journals, and states that a killed process did not
+/// finish.
 void remove_journals(const std::filesystem::path &folder);
 
 /// The manifest of a run that has come to an end; nothing if there is none. Throws InputError if it is not what was

@@ -220,11 +220,10 @@ void RunWriter::finish() {
     remove_journals(folder_);
 }
 
-/// Of a shorter run that became longer, its last state goes, and what a killed process did not finish.
+/// Of a shorter run that became longer, its last state goes.
 void RunWriter::remove_other_states() const {
     for (const int generation : kept_generations(folder_))
         if (!is_to_stay(generation)) remove_file(state_path(folder_, generation));
-    remove_unfinished_states(folder_);
 }
 
 void RunWriter::write_manifest(const std::vector<std::pair<std::string, std::string>> &tables) {

@@ -142,6 +142,8 @@ BOOST_AUTO_TEST_CASE(a_run_killed_after_its_manifest_is_complete_and_loses_its_j
         write_bytes(folder / "run" / fs::path(file), bytes);
     }
     BOOST_TEST(fs::exists(folder / "run/checkpoint"));
+    // Of a process that began to make it longer, and was killed as it wrote its first state.
+    write_bytes(folder / "run/states/000004.state.tmp", "half a state");
     const TemporaryFolder other;
     duplicate(folder / "run", other / "run");
     BOOST_TEST(run_on(folder / "run", quick::spec("novelty", 5)));
