@@ -8,23 +8,23 @@ local readings = {}
 local runs, heredity
 
 -- In the order of the tables, in groups: the name in the script; the name in the tables; what differs from the standard;
--- the same in words; the pages of the ledger.
+-- the same in words; the pages of the ledger; and what the names of its settings hold if it concerns only some.
 local groups = {
-  { { 'standard', '\\textbf{standard}', nil, 'nobody takes the direction of a division; an orientation turns with the tissue; divisions at most a quarter turn off; '
-      .. 'weights of generation 0 up to 3, weight mutations up to 0.2', '0002, 0013' },
+  { { 'standard', '\\textbf{standard}', nil, 'nobody takes the direction of a division; an orientation turns with the tissue; divisions at most '
+      .. '\\parameter{division_angle_range} half turns off; weights of generation 0 up to \\parameter{start_weight}, weight mutations up to \\parameter{weight_power}', '0002, 0013' },
     { 'earlier', 'earlier standard', 'five of those below', 'the standard of this replication before heredity was measured: '
       .. 'differs as both turn, plane, range 1, start weights 1 and mutations 1 do, at once', '0020' } },
   { { 'both-turn', 'both turn', 'division_turn = both', 'mother and daughter take the direction of the division', '0002' },
     { 'daughters', 'daughter turns', 'division_turn = daughter', 'the daughter alone takes it', '0002' },
     { 'plane', 'plane', 'orientation_frame = plane', 'an orientation keeps its direction in the plane, however the tissue turns', '0002' },
-    { 'range-1', 'range 1', 'division_angle_range = 1', 'divisions at most a half turn off', '0002' },
-    { 'range-025', 'range 0.25', 'division_angle_range = 0.25', 'divisions at most an eighth of a turn off', '0002' },
-    { 'clearance', 'clearance 0.75', 'division_clearance = 0.75', 'a daughter needs more room', '0002' } },
+    { 'range-1', 'range 1', 'division_angle_range = 1', 'divisions at most 1 half turn off', '0002' },
+    { 'range-025', 'range 0.25', 'division_angle_range = 0.25', 'divisions at most 0.25 half turns off', '0002' },
+    { 'clearance', 'clearance 0.75', 'division_clearance = 0.75', 'a daughter needs this distance to other cells, instead of \\parameter{division_clearance}', '0002' } },
   { { 'start-1', 'start weights 1', 'start_weight = 1', 'weights of generation 0 up to 1', '0013' },
     { 'power-1', 'mutations 1', 'weight_power = 1', 'weight mutations up to 1', '0013' } },
-  { { 'rising', 'time rises', 'gait_time = rising', 'the time that networks read goes on rising while they move (GRN only)', '0012' },
-    { 'present', 'present place', 'gait_place = present', 'moving networks read the place where a cell is now (GRN only)', '0012' },
-    { 'aged', 'aged species', 'novelty_species = aged', 'novelty search keeps the factors of young and stagnating species (NS only)', '0014' } },
+  { { 'rising', 'time rises', 'gait_time = rising', 'the time that networks read goes on rising while they move (GRN only)', '0012', 'grn' },
+    { 'present', 'present place', 'gait_place = present', 'moving networks read the place where a cell is now (GRN only)', '0012', 'grn' },
+    { 'aged', 'aged species', 'novelty_species = aged', 'novelty search keeps the factors of young and stagnating species (NS only)', '0014', '-ns' } },
 }
 local combinations = { 'osc-aq', 'osc-te', 'grn-aq', 'grn-te' }
 local dash, blank_pair = '--', '\\multicolumn{2}{c}{}'
@@ -47,12 +47,12 @@ end
 
 function readings.generations() return typeset.show(runs[1].generations) end
 
--- How many runs the settings have: a number, or from the least to the most.
-function readings.seeds()
+-- How many runs the settings have: so many, or from the least to the most.
+function readings.runs()
   local count, low, high = {}, math.huge, 0
   for _, row in ipairs(runs) do count[row.setting] = (count[row.setting] or 0) + 1 end
   for _, number in pairs(count) do low, high = math.min(low, number), math.max(high, number) end
-  return low == high and tostring(low) or low .. ' to ' .. high
+  return (low == high and tostring(low) or low .. ' to ' .. high) .. (high == 1 and ' run' or ' runs')
 end
 
 -- The generations of the table of heredity, from 0; of these, the ones in the second half of the runs.
@@ -76,6 +76,24 @@ function readings.late_generations() return (#recorded(true) > 1 and 'generation
 function readings.first_generation() return tostring(recorded()[1]) end
 function readings.last_generation() return tostring(recorded()[#recorded()]) end
 
+-- Why a cell is empty.
+function readings.why_empty()
+  for _, group in ipairs(groups) do
+    for _, reading in ipairs(group) do
+      for _, combination in ipairs(combinations) do
+        for _, search in ipairs { '-neat', '-ns' } do
+          local setting = combination .. search
+          local concerned = not reading[6] or setting:find(reading[6], 1, true)
+          if concerned and #csv.where(runs, { setting = reading[1] .. '-' .. setting }) == 0 then
+            return 'the reading does not concern the setting, or its runs are missing'
+          end
+        end
+      end
+    end
+  end
+  return 'the reading does not concern the setting'
+end
+
 -- ---- Cells ----
 
 -- The rows of a reading in a combination; of one search, or of both.
@@ -91,7 +109,7 @@ end
 local function is_there(...) return #of(runs, ...) > 0 end
 
 local function decimal(value) return value == '' and dash or (('%.2f'):format(value):gsub('^%-', '$-$')) end
-local function percent(value) return tonumber(value) and ('%.0f'):format(100 * tonumber(value)) or dash end
+local function percent(value, form) return tonumber(value) and (form or '%.0f'):format(100 * tonumber(value)) or dash end
 
 -- The median of a measure of heredity under NEAT over the late recorded generations.
 local function late_median(reading, combination, column)
@@ -107,7 +125,7 @@ end
 local function heredity_cells(reading, combination)
   if not is_there(reading, combination, 'neat') then return { '', '', '' } end
   return { decimal(late_median(reading, combination, 'heredity_fitness')), percent(late_median(reading, combination, 'near_mother')),
-    percent(late_median(reading, combination, 'near_best')) }
+    percent(late_median(reading, combination, 'near_best'), '%.1f') }
 end
 
 -- The share of cyclic gaits in the first and in the last recorded generation, two columns.
