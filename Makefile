@@ -258,7 +258,8 @@ $(FRAME_TABLES:%=$(FRAMES)/%.csv) &: $(OUT)/framed ;
 
 # Figures. Cairo writes the date of the day; it is replaced by one of equal length.
 PORTRAITS = fig03_oscillator_morphologies fig05_grn_morphologies
-PLOTS = $(filter-out $(PORTRAITS),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
+# That of readings is drawn where the data have them.
+PLOTS = $(filter-out $(PORTRAITS) $(if $(wildcard $(DATA)/readings.csv),,fig14_readings),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
 FIGURE_FILES = $(PORTRAITS:%=$(FIGURES)/%.pdf) $(PLOTS:%=$(FIGURES)/%.pdf)
 STYLE = $(filter-out $(wildcard paper/figures/fig*.gp),$(wildcard paper/figures/*.gp))
 # gnuplot's warnings, as of a setting without data, stay in a log unless it fails.
@@ -266,7 +267,7 @@ draw = gnuplot -e "$(1); out='$@.new'" $(2) 2> $@.log || { cat $@.log; exit 1; }
   LC_ALL=C sed -i 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' $@.new; mv $@.new $@
 figure-files: $(FIGURE_FILES)
 
-$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv)
+$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv) $(wildcard $(DATA)/readings.csv)
 	@mkdir -p $(FIGURES)
 	@$(call draw,data='$(DATA)',$<)
 
