@@ -92,7 +92,7 @@ verify: program ## check the tracked data: all files and tables, and in at most 
 	@bash paper/verify.sh $(PLANULA) $(OUT)/verify $(MINUTES)
 MINUTES ?= 10
 
-keep-data: ## copy build/data and the runs behind it to data/, the tracked tables that `make paper` prefers
+keep-data: ## copy build/data and the runs behind it, without those of readings, to data/, the tracked tables that `make paper` prefers
 	@cp $(OUT)/data/*.csv data/
 	@rm -rf data/runs; mkdir -p data/runs; cp -r $(RUNS) data/runs/replication; cp -r $(OUT)/runs/searches data/runs/searches
 	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables and their runs copied from $(OUT); commit them with the design that made them'
@@ -114,6 +114,26 @@ searches: program ## compare the searches at equal evaluations, the three beyond
 	@mkdir -p $(OUT)/data.new; cp $(OUT)/searches/runs.csv $(OUT)/data.new/searches.csv
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 	@echo 'searches: $(OUT)/data/searches.csv; the next `make paper` has its table'
+
+readings: program ## evolve the settings under every reading of the article: build/data/readings.csv; READINGS_GENERATIONS=30 stops earlier
+	@levels=; for level in $(READINGS_LEVELS); do if ((level < $(READINGS_GENERATIONS))); then levels+=$$level,; fi; done; \
+	  $(PLANULA) run experiments/readings.lua --levels "$${levels}$(READINGS_GENERATIONS)" --out $(READINGS_RUNS)
+	@$(MAKE) readings-tables
+	@echo 'readings: $(OUT)/data/readings.csv and readings_heredity.csv; the next `make paper` has their tables'
+
+# All readings reach a level before any goes on, and the tables show the last one, READINGS_GENERATIONS.
+READINGS_LEVELS = 15 30
+READINGS_GENERATIONS ?= 60
+READINGS_RUNS ?= $(OUT)/runs/readings
+# Of heredity every tenth generation and the last, and what the article shows of it.
+readings-tables:
+	@rm -rf $(OUT)/readings $(OUT)/data.new
+	@$(PLANULA) reduce experiments/readings.lua --generations $(READINGS_GENERATIONS) --runs $(READINGS_RUNS) --out $(OUT)/readings > /dev/null
+	@mkdir -p $(OUT)/data.new; cp $(OUT)/readings/runs.csv $(OUT)/data.new/readings.csv
+	@awk -F, -v OFS=, -v last=$$(($(READINGS_GENERATIONS) - 1)) 'NR == 1 { for (i = 1; i <= NF; ++i) at[$$i] = i } \
+	  NR == 1 || $$at["generation"] % 10 == 9 || $$at["generation"] == last { print $$at["setting"], $$at["generation"], $$at["runs"], \
+	    $$at["heredity_fitness"], $$at["near_mother"], $$at["near_best"], $$at["cyclic"] }' $(OUT)/readings/heredity.csv > $(OUT)/data.new/readings_heredity.csv
+	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 
 ##@ Building and checking
 build: deps build/CMakeCache.txt ## the program and all tests
@@ -197,7 +217,7 @@ deps: ## packages to build and test
 deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches \
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches readings readings-tables \
         build program signature verify-signature torture test-cluster benchmarks power bench instructions lint format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
@@ -238,7 +258,8 @@ $(FRAME_TABLES:%=$(FRAMES)/%.csv) &: $(OUT)/framed ;
 
 # Figures. Cairo writes the date of the day; it is replaced by one of equal length.
 PORTRAITS = fig03_oscillator_morphologies fig05_grn_morphologies
-PLOTS = $(filter-out $(PORTRAITS),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
+# That of readings is drawn where the data have them.
+PLOTS = $(filter-out $(PORTRAITS) $(if $(wildcard $(DATA)/readings.csv),,fig14_readings),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
 FIGURE_FILES = $(PORTRAITS:%=$(FIGURES)/%.pdf) $(PLOTS:%=$(FIGURES)/%.pdf)
 STYLE = $(filter-out $(wildcard paper/figures/fig*.gp),$(wildcard paper/figures/*.gp))
 # gnuplot's warnings, as of a setting without data, stay in a log unless it fails.
@@ -246,7 +267,7 @@ draw = gnuplot -e "$(1); out='$@.new'" $(2) 2> $@.log || { cat $@.log; exit 1; }
   LC_ALL=C sed -i 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' $@.new; mv $@.new $@
 figure-files: $(FIGURE_FILES)
 
-$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv)
+$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv) $(wildcard $(DATA)/readings.csv)
 	@mkdir -p $(FIGURES)
 	@$(call draw,data='$(DATA)',$<)
 
@@ -266,9 +287,9 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
 
 # The article: twice, for its references. The folder of the data is handed to TeX as two macros. It does without the
-# tables of the witness, of sensitivity and of searches where the data have none.
+# tables of the witness, of sensitivity, of searches and of readings where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
-    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv tests/power/*.csv)
+    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)

@@ -63,6 +63,21 @@ function csv.where(rows, wanted)
   return chosen
 end
 
+-- The numbers of a column; rows without one are left out.
+function csv.numbers(rows, column)
+  local numbers = {}
+  for _, row in ipairs(rows) do numbers[#numbers + 1] = tonumber(row[column]) end
+  return numbers
+end
+
+-- The median of a list of numbers, which it sorts; of none the empty text.
+function csv.median(values)
+  table.sort(values)
+  local middle = #values // 2
+  if #values == 0 then return '' end
+  return #values % 2 == 1 and values[middle + 1] or (values[middle] + values[middle + 1]) / 2
+end
+
 -- A table of two columns, key and value, as one Lua table.
 function csv.pairs_of(file)
   local map = {}

@@ -21,7 +21,7 @@ function tables.open(data_folder, frames_folder)
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
   -- Tables that take a command of their own; data may be without.
-  for _, name in ipairs { 'engines', 'witness', 'sensitivity', 'searches' } do
+  for _, name in ipairs { 'engines', 'witness', 'sensitivity', 'searches', 'readings' } do
     local file = data_folder .. '/' .. name .. '.csv'
     data[name] = lfs.isfile(file) and csv.read(file) or {}
   end
@@ -198,13 +198,6 @@ end
 
 -- ---- Tables ----
 
-local function median(values)
-  table.sort(values)
-  local middle = #values // 2
-  if #values == 0 then return '' end
-  return #values % 2 == 1 and values[middle + 1] or (values[middle] + values[middle + 1]) / 2
-end
-
 -- Adds the row of a setting, the number-th of so many; the two searches of a combination stand together.
 local function add_setting(lines, cells, number, settings)
   lines[#lines + 1] = row_of(cells)
@@ -226,7 +219,7 @@ function tables.print_settings()
     end
     best = best or {}
     add_setting(lines, { short(setting.setting), show(setting.runs), show(setting.generations),
-      show(setting.population), show(best.best_fitness), show(median(fitness)), show(best.best_generation),
+      show(setting.population), show(best.best_fitness), show(csv.median(fitness)), show(best.best_generation),
       show(best.best_cells), show(best.elongation) }, number, #data.settings)
   end
   print_tabular('lrrrrrrrr', head, lines)
@@ -347,9 +340,8 @@ local searches = {
 
 -- Of a column of these runs, there is at least one: median, lowest and highest; or the mean.
 local function spread(runs, column)
-  local values = {}
-  for _, run in ipairs(runs) do values[#values + 1] = tonumber(run[column]) end
-  local middle = median(values) -- sorts them
+  local values = csv.numbers(runs, column)
+  local middle = csv.median(values) -- sorts them
   return ('%.1f (%.1f--%.1f)'):format(middle, values[1], values[#values])
 end
 local function mean(runs, column, form)

@@ -1,0 +1,251 @@
+-- SPDX-License-Identifier: MIT
+-- What the section on readings takes from readings.csv and readings_heredity.csv: the tables of the readings of
+-- experiments/readings.lua, and the size of the data behind them. open() is called first.
+local csv = require 'csv'
+local typeset = require 'typeset'
+local row_of, print_tabular = typeset.row_of, typeset.print_tabular
+local readings = {}
+local runs, heredity
+
+-- In the order of the tables, in groups: the name in the script; the name in the tables; what differs from the standard;
+-- the same in words; the pages of the ledger; and what the names of its settings hold if it concerns only some.
+local groups = {
+  { { 'standard', '\\textbf{standard}', nil, 'nobody takes the direction of a division; an orientation turns with the tissue; divisions at most '
+      .. '\\parameter{division_angle_range} half turns off; weights of generation 0 up to \\parameter{start_weight}, weight mutations up to \\parameter{weight_power}', '0002, 0013' },
+    { 'earlier', 'earlier standard', 'five of those below', 'the standard of this replication before heredity was measured: '
+      .. 'differs as both turn, plane, range 1, start weights 1 and mutations 1 do, at once', '0020' } },
+  { { 'both-turn', 'both turn', 'division_turn = both', 'mother and daughter take the direction of the division', '0002' },
+    { 'daughters', 'daughter turns', 'division_turn = daughter', 'the daughter alone takes it', '0002' },
+    { 'plane', 'plane', 'orientation_frame = plane', 'an orientation keeps its direction in the plane, however the tissue turns', '0002' },
+    { 'range-1', 'range 1', 'division_angle_range = 1', 'divisions at most 1 half turn off', '0002' },
+    { 'range-025', 'range 0.25', 'division_angle_range = 0.25', 'divisions at most 0.25 half turns off', '0002' },
+    { 'clearance', 'clearance 0.75', 'division_clearance = 0.75', 'a daughter needs this distance to other cells, instead of \\parameter{division_clearance}', '0002' } },
+  { { 'start-1', 'start weights 1', 'start_weight = 1', 'weights of generation 0 up to 1', '0013' },
+    { 'power-1', 'mutations 1', 'weight_power = 1', 'weight mutations up to 1', '0013' } },
+  { { 'rising', 'time rises', 'gait_time = rising', 'the time that networks read goes on rising while they move (GRN only)', '0012', 'grn' },
+    { 'present', 'present place', 'gait_place = present', 'moving networks read the place where a cell is now (GRN only)', '0012', 'grn' },
+    { 'aged', 'aged species', 'novelty_species = aged', 'novelty search keeps the factors of young and stagnating species (NS only)', '0014', '-ns' } },
+}
+local combinations = { 'osc-aq', 'osc-te', 'grn-aq', 'grn-te' }
+local dash, blank_pair = '--', '\\multicolumn{2}{c}{}'
+
+-- Reads both tables; a reading that the tables have and this page does not is an error.
+function readings.open(folder)
+  runs, heredity = csv.read(folder .. '/readings.csv'), csv.read(folder .. '/readings_heredity.csv')
+  for _, row in ipairs(runs) do
+    local known = false
+    for _, group in ipairs(groups) do
+      for _, reading in ipairs(group) do
+        known = known or row.setting:match '^(.*)%-%w+%-%w+%-%w+$' == reading[1]
+      end
+    end
+    assert(known, 'readings.csv has a reading that paper/readings.lua has not: ' .. row.setting)
+  end
+end
+
+-- ---- Size of the data ----
+
+function readings.generations() return typeset.show(runs[1].generations) end
+
+-- How many runs the settings have: so many, or from the least to the most.
+function readings.runs()
+  local count, low, high = {}, math.huge, 0
+  for _, row in ipairs(runs) do count[row.setting] = (count[row.setting] or 0) + 1 end
+  for _, number in pairs(count) do low, high = math.min(low, number), math.max(high, number) end
+  return (low == high and tostring(low) or low .. ' to ' .. high) .. (high == 1 and ' run' or ' runs')
+end
+
+-- The generations of the table of heredity, from 0; of these, the ones in the second half of the runs.
+local function recorded(late)
+  local seen, list = {}, {}
+  for _, row in ipairs(heredity) do
+    local generation = tonumber(row.generation)
+    if not seen[generation] and (not late or 2 * generation >= tonumber(runs[1].generations)) then
+      seen[generation], list[#list + 1] = true, generation
+    end
+  end
+  table.sort(list)
+  return list
+end
+
+-- A list in words: 39, 49 and 59.
+local function in_words(list)
+  return #list < 2 and tostring(list[1]) or table.concat(list, ', ', 1, #list - 1) .. ' and ' .. list[#list]
+end
+function readings.late_generations() return (#recorded(true) > 1 and 'generations ' or 'generation ') .. in_words(recorded(true)) end
+function readings.first_generation() return tostring(recorded()[1]) end
+function readings.last_generation() return tostring(recorded()[#recorded()]) end
+
+-- Why a cell is empty.
+function readings.why_empty()
+  for _, group in ipairs(groups) do
+    for _, reading in ipairs(group) do
+      for _, combination in ipairs(combinations) do
+        for _, search in ipairs { '-neat', '-ns' } do
+          local setting = combination .. search
+          local concerned = not reading[6] or setting:find(reading[6], 1, true)
+          if concerned and #csv.where(runs, { setting = reading[1] .. '-' .. setting }) == 0 then
+            return 'the reading does not concern the setting, or its runs are missing'
+          end
+        end
+      end
+    end
+  end
+  return 'the reading does not concern the setting'
+end
+
+-- ---- Cells ----
+
+-- The rows of a reading in a combination; of one search, or of both.
+local function of(rows, reading, combination, search)
+  local chosen = {}
+  for _, name in ipairs(search and { search } or { 'neat', 'ns' }) do
+    table.move(csv.where(rows, { setting = reading .. '-' .. combination .. '-' .. name }), 1, 1e6, #chosen + 1, chosen)
+  end
+  return chosen
+end
+
+-- Whether the data have a reading at all in this combination and search.
+local function is_there(...) return #of(runs, ...) > 0 end
+
+local function decimal(value) return value == '' and dash or (('%.2f'):format(value):gsub('^%-', '$-$')) end
+local function percent(value, form) return tonumber(value) and (form or '%.0f'):format(100 * tonumber(value)) or dash end
+
+-- The median of a measure of heredity under NEAT over the late recorded generations.
+local function late_median(reading, combination, column)
+  local values = {}
+  for _, generation in ipairs(recorded(true)) do
+    for _, row in ipairs(of(heredity, reading, combination, 'neat')) do
+      if tonumber(row.generation) == generation then values[#values + 1] = tonumber(row[column]) end
+    end
+  end
+  return csv.median(values)
+end
+
+local function heredity_cells(reading, combination)
+  if not is_there(reading, combination, 'neat') then return { '', '', '' } end
+  return { decimal(late_median(reading, combination, 'heredity_fitness')), percent(late_median(reading, combination, 'near_mother')),
+    percent(late_median(reading, combination, 'near_best'), '%.1f') }
+end
+
+-- The share of cyclic gaits in the first and in the last recorded generation, two columns.
+local function cyclic_cell(reading, combination, search)
+  if not is_there(reading, combination, search) then return blank_pair end
+  local rows = of(heredity, reading, combination, search)
+  local function at(generation) return percent((csv.where(rows, { generation = generation })[1] or {}).cyclic) end
+  return at(readings.first_generation()) .. ' & ' .. at(readings.last_generation())
+end
+
+-- The fewest and the most cells of a run's best, of both searches.
+local function size_cell(reading, combination)
+  local cells = csv.numbers(of(runs, reading, combination), 'best_cells')
+  table.sort(cells)
+  return #cells == 0 and '' or ('%d--%d'):format(cells[1], cells[#cells])
+end
+
+-- The median best fitness of each search, and in how many seeds novelty search has the higher one.
+local function outcome_cells(reading, combination)
+  local neat, ns = of(runs, reading, combination, 'neat'), of(runs, reading, combination, 'ns')
+  local function middle(rows) return #rows > 0 and ('%.1f'):format(csv.median(csv.numbers(rows, 'best_fitness'))) or '' end
+  local pairs_there, ahead = 0, 0
+  for _, row in ipairs(ns) do
+    for _, other in ipairs(csv.where(neat, { seed = row.seed })) do
+      pairs_there = pairs_there + 1
+      if tonumber(row.best_fitness) > tonumber(other.best_fitness) then ahead = ahead + 1 end
+    end
+  end
+  return { middle(neat), middle(ns), pairs_there > 0 and ('%d/%d'):format(ahead, pairs_there) or '' }
+end
+
+-- ---- Tables ----
+
+-- Whether any cell has content.
+local function has_content(cells)
+  for _, cell in ipairs(cells) do if cell ~= '' and cell ~= blank_pair then return true end end
+  return false
+end
+
+-- A row for each reading of which cells_of gives at least one cell with content; a little space between groups.
+local function lines_of(cells_of)
+  local lines = {}
+  for _, group in ipairs(groups) do
+    local before = #lines
+    for _, reading in ipairs(group) do
+      local cells = cells_of(reading[1])
+      if has_content(cells) then
+        if #lines == before and before > 0 then lines[#lines + 1] = '\\addlinespace[3pt]'; before = #lines end
+        lines[#lines + 1] = row_of { reading[2], table.unpack(cells) }
+      end
+    end
+  end
+  return lines
+end
+
+-- The cells of all four combinations, one after the other.
+local function in_all(cells_of)
+  return function(reading)
+    local cells = {}
+    for _, combination in ipairs(combinations) do
+      for _, cell in ipairs(cells_of(reading, combination)) do cells[#cells + 1] = cell end
+    end
+    return cells
+  end
+end
+
+local names = { 'OSC AQ', 'OSC TE', 'GRN AQ', 'GRN TE' }
+-- Two lines of a head: each combination over so many columns from column 2 on.
+local function heads(columns)
+  local first, rules = {}, {}
+  for index, name in ipairs(names) do
+    local from = 2 + (index - 1) * columns
+    first[index] = ('\\multicolumn{%d}{c}{%s}'):format(columns, name)
+    rules[index] = ('\\cmidrule(l{6pt}){%d-%d}'):format(from, from + columns - 1)
+  end
+  return ' & ' .. row_of(first), table.concat(rules)
+end
+
+-- What the readings are.
+function readings.print_list()
+  local lines = {}
+  for index, group in ipairs(groups) do
+    if index > 1 then lines[#lines + 1] = '\\addlinespace[3pt]' end
+    for _, reading in ipairs(group) do
+      local name, value = (reading[3] or ''):match '^([%w_]+) = (%S+)$'
+      lines[#lines + 1] = row_of { reading[2],
+        name and ('\\texttt{%s}: \\texttt{%s}'):format(typeset.escape(name), value) or reading[3] or '', reading[4], tables.origin(reading[5]) }
+    end
+  end
+  print_tabular('l>{\\raggedright}p{4.1cm}>{\\raggedright}p{7.2cm}l', { 'reading & differs in & in words & page \\\\' }, lines)
+end
+
+-- Rule 2 of the choice.
+function readings.print_heredity()
+  local first, rules = heads(3)
+  print_tabular('l' .. ('@{\\hskip18pt}rrr'):rep(4), { first, rules, 'reading' .. (' & $\\rho$ & $m$ & $b$'):rep(4) .. ' \\\\' },
+    lines_of(in_all(heredity_cells)))
+end
+
+-- Rules 3 and 4.
+function readings.print_bodies()
+  local head = {
+    ' & \\multicolumn{8}{c}{cyclic gaits, \\%} & \\multicolumn{4}{c}{cells of the best} \\\\', '\\cmidrule(lr){2-9}\\cmidrule(l){10-13}',
+    ' & \\multicolumn{4}{c}{GRN AQ} & \\multicolumn{4}{c}{GRN TE} \\\\', '\\cmidrule(lr){2-5}\\cmidrule(lr){6-9}',
+    'reading' .. (' & \\multicolumn{2}{c}{NEAT} & \\multicolumn{2}{c}{NS}'):rep(2) .. ' & ' .. row_of(names) }
+  print_tabular('l' .. ('r@{\\,/\\,}l'):rep(4) .. 'rrrr', head, lines_of(function(reading)
+    local cells = {}
+    for _, combination in ipairs { 'grn-aq', 'grn-te' } do
+      for _, search in ipairs { 'neat', 'ns' } do cells[#cells + 1] = cyclic_cell(reading, combination, search) end
+    end
+    for _, combination in ipairs(combinations) do cells[#cells + 1] = size_cell(reading, combination) end
+    return cells
+  end))
+end
+
+-- What was not looked at for the choice.
+function readings.print_outcome()
+  local first, rules = heads(3)
+  print_tabular('l' .. ('@{\\hskip13pt}rrr'):rep(4), { first, rules, 'reading' .. (' & NEAT & NS & ahead'):rep(4) .. ' \\\\' },
+    lines_of(in_all(outcome_cells)))
+end
+
+return readings
