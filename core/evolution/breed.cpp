@@ -65,6 +65,7 @@ Genome mate(const Pairing &pairing, int mother, const Parameters &parameters, St
     const int father = draw_father(parents, draw, parents.genomes[mother], parameters, stream);
 
     crossing.averaging = !stream.chance(parameters.multipoint_rate);
+    crossing.weight_step = parameters.weight_step;
     if (mother == father) return copy_of(parents.genomes[mother], Origin::clone);
     return cross({parents.genomes[mother], parents.scores[mother]},
                  {parents.genomes[father], parents.scores[father]}, crossing, stream);

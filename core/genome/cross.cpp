@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "genome/align.h"
+#include "genome/weight.h"
 
 #include <vector>
 
@@ -18,10 +19,11 @@ Side fitter(const Parent &mother, const Parent &father, Stream &stream) {
 }
 
 /// The matching link that the child gets; an averaged one has the mother's recurrent flag.
-LinkGene inherit(const LinkGene &of_mother, const LinkGene &of_father, bool averaging, Stream &stream) {
-    if (!averaging) return stream.chance(0.5) ? of_mother : of_father;
+LinkGene inherit(const LinkGene &of_mother, const LinkGene &of_father, const Crossing &crossing,
+                 Stream &stream) {
+    if (!crossing.averaging) return stream.chance(0.5) ? of_mother : of_father;
     LinkGene link = of_mother;
-    link.weight = (of_mother.weight + of_father.weight) / 2;
+    link.weight = rounded_weight((of_mother.weight + of_father.weight) / 2, crossing.weight_step);
     return link;
 }
 
@@ -53,7 +55,7 @@ Genome cross(const Parent &mother, const Parent &father, const Crossing &crossin
     align(
         mother.genome, father.genome,
         [&](const LinkGene &of_mother, const LinkGene &of_father) {
-            child.links.push_back(inherit(of_mother, of_father, crossing.averaging, stream));
+            child.links.push_back(inherit(of_mother, of_father, crossing, stream));
         },
         [&](const LinkGene &link, Side side, bool) {
             if (side == better || crossing.interspecies) child.links.push_back(link);

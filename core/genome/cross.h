@@ -15,6 +15,7 @@ struct Parent {
 struct Crossing {
     bool averaging = false;    // matching weights are averaged, not chosen
     bool interspecies = false; // all disjoint and excess links of both parents are kept
+    double weight_step = 0;    // averages are multiples of this; 0: any number
 };
 
 /// The child has every matching link, from either parent with equal chances or averaged, and the disjoint and

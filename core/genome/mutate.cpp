@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "genome/mutate.h"
 
+#include "genome/weight.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,8 +12,10 @@ namespace planula {
 
 namespace {
 
+/// The weight that a genome gets in place of this one.
 double clamped(double weight, const Parameters &parameters) {
-    return std::clamp(weight, -parameters.weight_limit, parameters.weight_limit);
+    return std::clamp(rounded_weight(weight, parameters.weight_step), -parameters.weight_limit,
+                      parameters.weight_limit);
 }
 
 std::uint32_t count_of(const auto &container) { return static_cast<std::uint32_t>(container.size()); }

@@ -109,6 +109,7 @@ PARAMETER(double, weight_severe_rate, 0.25, 0, 1, "1", "MN", "probability that a
 PARAMETER(double, weight_power, 0.2, 0, 1000, "1", "ours", "scale of the change of a weight")
 PARAMETER(double, start_weight, 3.0, 0, 1000, "1", "ours", "scale of the weights of generation 0")
 PARAMETER(double, weight_replacement, 1.0, 0, 1000, "1", "MN", "scale of a new weight")
+PARAMETER(double, weight_step, 9.5367431640625e-07, 0, 1, "1", "ours", "weights are multiples of this, so that states of a run are small; 0: any number")
 PARAMETER(double, weight_limit, 8, 0, 1e6, "1", "MN", "weights are clamped to this magnitude")
 PARAMETER(double, recurrent_rate, 0.25, 0, 1, "1", "MN", "share of added links that are recurrent, where recurrence is allowed")
 PARAMETER(double, loop_rate, 0.25, 0, 1, "1", "MN", "share of added recurrent links that are self-loops")

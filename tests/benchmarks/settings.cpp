@@ -12,6 +12,7 @@ constexpr double slope = 2.45; // of their sigmoid, as a tanh
 Settings multineat_settings() {
     Parameters p;
     p.start_weight = p.weight_power = 1;
+    p.weight_step = 0;
     return {"multineat", p};
 }
 
@@ -35,6 +36,7 @@ Settings stanley_settings(bool large) {
     p.weight_severe_rate = 0.1;
     p.start_weight = p.weight_power = p.weight_replacement = (large ? 1.8 : 2.5) * slope;
     p.weight_limit = 1000;
+    p.weight_step = 0;
     p.recurrent_rate = 0.2;
     p.link_tries = 20;
     return {"stanley-2002", p};
@@ -62,6 +64,7 @@ Settings lehman_settings() {
     p.weight_severe_rate = 0.1;
     p.start_weight = p.weight_power = p.weight_replacement = 0.8 * slope;
     p.weight_limit = 1000;
+    p.weight_step = 0;
     p.recurrent_rate = 0.2;
     p.link_tries = 40;
     p.novelty_neighbours = 15;

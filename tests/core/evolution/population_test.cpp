@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "evolution/population.h"
 
+#include "genome/mutate.h"
+
 #include "base/random.h"
 
 #include <boost/test/unit_test.hpp>
@@ -38,7 +40,7 @@ BOOST_AUTO_TEST_CASE(initial_weights_come_from_the_stream_of_their_slot) {
     for (const int slot : {0, 1, 299}) {
         Stream stream(42, 0, slot, Purpose::initial_weights);
         for (const auto &link : population.genomes[slot].links)
-            BOOST_TEST(link.weight == parameters.start_weight * stream.triangular());
+            BOOST_TEST(link.weight == new_weight(parameters.start_weight, parameters, stream));
     }
 }
 

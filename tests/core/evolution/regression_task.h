@@ -94,6 +94,7 @@ inline Row describe(const Population &population, const std::vector<double> &sco
 inline std::vector<Row> evolve(bool recurrent, int last, std::uint64_t seed) {
     Parameters parameters; // the library's, as its reference values are
     parameters.start_weight = parameters.weight_power = 1;
+    parameters.weight_step = 0;
     Population population = initial_population(shape(recurrent), parameters, seed);
     std::vector<Row> rows;
     for (;;) {

@@ -70,6 +70,8 @@ BOOST_AUTO_TEST_CASE(averaging_takes_the_mean_of_matching_weights_only) {
     BOOST_TEST(child.links[0].weight == 0.75);
     BOOST_TEST(child.links[1].weight == 0);
     BOOST_TEST(child.links[2].weight == 7);
+    const Genome rounded = cross({a, 1}, {b, 2}, {true, false, 0.5}, stream);
+    BOOST_TEST(rounded.links[0].weight == 1); // 0.75, of two multiples the higher
 }
 
 BOOST_AUTO_TEST_CASE(between_species_all_links_of_both_are_kept) {

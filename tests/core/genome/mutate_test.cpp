@@ -364,6 +364,21 @@ BOOST_AUTO_TEST_CASE(dead_ends_are_what_leads_nowhere) {
     BOOST_TEST(!with({{0, 0, 2, 1, false}, {1, 2, 2, 1, true}}, false)); // a loop counts neither way
 }
 
+BOOST_AUTO_TEST_CASE(weights_are_multiples_of_the_step) {
+    Parameters parameters;
+    parameters.weight_step = 0x1p-10;
+    const auto is_multiple = [](const LinkGene &link) {
+        return link.weight * 1024 == std::floor(link.weight * 1024);
+    };
+    Innovations innovations;
+    Genome genome = connected(9, 6, innovations);
+    Stream stream = specimens::stream(8);
+    for (int n = 0; n < 100; ++n) {
+        BOOST_REQUIRE(mutate_weights(parameters, stream, genome));
+        BOOST_TEST(std::all_of(genome.links.begin(), genome.links.end(), is_multiple));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(new_weights_keep_to_their_scale_and_to_the_limit) {
     Parameters parameters;
     Stream stream = specimens::stream(8);
