@@ -196,7 +196,7 @@ void check_files_are_there(const std::filesystem::path &folder, const Manifest &
             throw InputError(folder.string() + " lacks " + row.key +
                              ", which its manifest names: the folder is not whole. Nothing was changed. "
                              "Bring the file back, or "
-                             "move the folder away to begin the run anew.");
+                             "move the folder away to begin the run again.");
 }
 
 } // namespace planula

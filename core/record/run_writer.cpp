@@ -115,7 +115,7 @@ RunWriter::Found RunWriter::find_state(int done) {
         throw InputError(folder_.string() + ": no state of the run can be read" +
                          (damaged_.empty() ? "" : ", " + damaged_.front().string() + " is damaged") +
                          ": it cannot " + (done > 0 ? "become longer" : "resume") +
-                         ". Nothing was changed. Move the folder away to begin the run anew.");
+                         ". Nothing was changed. Move the folder away to begin the run again.");
     return newest;
 }
 

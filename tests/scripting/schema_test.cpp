@@ -405,6 +405,18 @@ BOOST_AUTO_TEST_CASE(every_experiment_file_passes_its_check) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(the_first_reading_is_the_standard_one_and_no_other_is) {
+    const Experiment e =
+        load_experiment(test::experiments_folder() / "readings.lua", test::experiments_folder());
+    for (const Spec &spec : e.settings) {
+        bool differs = false;
+        for (const ParameterRow &row : parameter_rows())
+            if (row.name != "seeds" && row.name != "generations")
+                differs = differs || parameter(spec.parameters, row.name) != row.standard;
+        BOOST_TEST(differs != spec.name.starts_with("standard-"), spec.name);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(the_replication_states_the_papers_eight_settings) {
     const Experiment e =
         load_experiment(test::experiments_folder() / "paper" / "replication.lua", test::experiments_folder());
