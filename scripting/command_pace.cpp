@@ -32,7 +32,7 @@ double in_tenths(double value) { return std::floor(10 * value + 0.5) / 10; }
 
 /// Core-seconds that the runs of a setting take if every individual takes so many.
 double cost(const Parameters &design, double seconds_each) {
-    return seconds_each * design.seeds * design.generations * design.population;
+    return seconds_each * design.design.seeds * design.design.generations * design.neat.population;
 }
 
 /// The rows of one setting, generation by generation.
@@ -83,7 +83,8 @@ class PaceCommand {
     int run() {
         std::int64_t evaluations = 0;
         for (const Spec &setting : experiment_.settings)
-            evaluations += std::int64_t{setting.parameters.population} * setting.parameters.generations;
+            evaluations +=
+                std::int64_t{setting.parameters.neat.population} * setting.parameters.design.generations;
         Progress progress(console_.err, console_.terminal, evaluations);
         console_.out << header_line<PaceRow>();
         double all_seconds = 0, individuals = 0, lived = 0, measured = 0;
@@ -119,8 +120,8 @@ class PaceCommand {
             [&](const Generation &generation) {
                 stopwatch.observe(generation);
                 best = std::max(best, generation.evaluations[generation.best].fitness);
-                progress.generation(setting.name, generation.number, setting.parameters.generations, best,
-                                    static_cast<int>(generation.lives.size()));
+                progress.generation(setting.name, generation.number, setting.parameters.design.generations,
+                                    best, static_cast<int>(generation.lives.size()));
             },
             [&] { return interrupt_.requested(); });
         return stopwatch.rows();

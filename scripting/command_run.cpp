@@ -113,7 +113,7 @@ class RunCommand {
 
   private:
     int generations_of(const PlannedRun &run, int level) const {
-        return level > 0 ? level : experiment_.settings[run.setting].parameters.generations;
+        return level > 0 ? level : experiment_.settings[run.setting].parameters.design.generations;
     }
     std::filesystem::path folder_of(const PlannedRun &run) const {
         return run_folder(out_, experiment_.settings[run.setting].name, run.seed);
@@ -146,7 +146,7 @@ class RunCommand {
         for (const PlannedRun &run : runs_) {
             const int done = std::max(from, recorded_generations(folder_of(run)));
             const Parameters &p = experiment_.settings[run.setting].parameters;
-            evaluations += std::int64_t{std::max(0, generations_of(run, level) - done)} * p.population;
+            evaluations += std::int64_t{std::max(0, generations_of(run, level) - done)} * p.neat.population;
         }
         return evaluations;
     }
@@ -196,7 +196,7 @@ class RunCommand {
         OwnSetting setting = own_setting(experiment_, run.setting);
         Spec &spec = setting.spec;
         Hooks &hooks = *setting.hooks;
-        spec.parameters.generations = generations_of(run, level);
+        spec.parameters.design.generations = generations_of(run, level);
         const std::string name = spec.name + " seed " + to_text(static_cast<std::int64_t>(run.seed));
         const StopRequest stop = [&] { return interrupt.requested() || crew_.failed(); };
         RunWriter writer(folder_of(run), spec, run.seed, sources_, interval_);
@@ -205,15 +205,15 @@ class RunCommand {
             progress.reach();
             return;
         }
-        spec.parameters.generations = writer.generations();
+        spec.parameters.design.generations = writer.generations();
         const Progress::Open open(progress);
         RunState state = start(setting, name, run.seed, writer, workers, stop, progress);
         LivesKnown known;
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
             known.add(generation);
-            progress.generation(name, generation.number, spec.parameters.generations, writer.best_fitness(),
-                                static_cast<int>(generation.lives.size()));
+            progress.generation(name, generation.number, spec.parameters.design.generations,
+                                writer.best_fitness(), static_cast<int>(generation.lives.size()));
         };
         try {
             planula::run(
@@ -226,7 +226,7 @@ class RunCommand {
         hooks.check_unchanged();
         writer.finish();
         progress.reach();
-        progress.tell(name + ": " + to_text(spec.parameters.generations) + " generations done, best " +
+        progress.tell(name + ": " + to_text(spec.parameters.design.generations) + " generations done, best " +
                       to_fixed(writer.best_fitness(), 2) + ", " + known.text());
         if (hooks.invalid() > 0)
             progress.tell(name + ": " + to_text(hooks.invalid()) +

@@ -140,7 +140,7 @@ Experiment experiment_of(const Arguments &arguments, const Console &console, con
 
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment) {
     const std::string words =
-        arguments.text("seeds", "1:" + to_text(experiment.settings.at(0).parameters.seeds));
+        arguments.text("seeds", "1:" + to_text(experiment.settings.at(0).parameters.design.seeds));
     const std::size_t colon = words.find(':');
     const std::uint64_t first = seed_of(words.substr(0, colon));
     const std::uint64_t last = colon == words.npos ? first : seed_of(words.substr(colon + 1));

@@ -54,14 +54,15 @@ Measured measure(const Spec &setting, std::uint64_t seed, int threads, const Sto
                  Progress &progress) {
     Spec spec = setting;
     spec.record = Recording::full;
-    spec.parameters.generations = std::min(measured_generations, setting.parameters.generations);
-    const bool is_short = spec.parameters.generations == 1;
+    spec.parameters.design.generations =
+        std::min(measured_generations, setting.parameters.design.generations);
+    const bool is_short = spec.parameters.design.generations == 1;
     Measured measured;
     double began = processor_seconds();
     RunState state = begin(spec, seed, threads, stop);
     const auto observe = [&](const Generation &generation) {
-        progress.generation(spec.name, generation.number, spec.parameters.generations,
-                            generation.evaluations[generation.best].fitness, spec.parameters.population);
+        progress.generation(spec.name, generation.number, spec.parameters.design.generations,
+                            generation.evaluations[generation.best].fitness, spec.parameters.neat.population);
         if (generation.number == 0 && !is_short) {
             began = processor_seconds();
             return;
@@ -84,11 +85,12 @@ Measured measure(const Spec &setting, std::uint64_t seed, int threads, const Sto
 /// Individuals that a run of this setting records.
 double recorded_individuals(const Spec &setting) {
     const Parameters &p = setting.parameters;
-    if (setting.record == Recording::full) return static_cast<double>(p.population) * p.generations;
+    if (setting.record == Recording::full)
+        return static_cast<double>(p.neat.population) * p.design.generations;
     double individuals = 0;
-    for (int generation = 0; generation < p.generations; ++generation)
-        individuals +=
-            p.population * sample_share(recorded_share, recorded_least, p.population, generation + 1);
+    for (int generation = 0; generation < p.design.generations; ++generation)
+        individuals += p.neat.population *
+                       sample_share(recorded_share, recorded_least, p.neat.population, generation + 1);
     return individuals;
 }
 
@@ -109,13 +111,13 @@ Cost cost_of(const Spec &setting, const Measured &measured) {
     const Parameters &p = setting.parameters;
     const double each = 1.0 / measured.generations;
     Cost cost;
-    cost.core_seconds =
-        measured.seconds / static_cast<double>(measured.evaluations) * p.population * p.generations;
+    cost.core_seconds = measured.seconds / static_cast<double>(measured.evaluations) * p.neat.population *
+                        p.design.generations;
     for (std::size_t i = 0; i < run_tables.size(); ++i) {
         const std::string &rows = measured.rows[i];
-        double generations = p.generations * each;
+        double generations = p.design.generations * each;
         if (run_tables[i] == IndividualRow::file_name)
-            generations = recorded_individuals(setting) / p.population * each;
+            generations = recorded_individuals(setting) / p.neat.population * each;
         const bool is_packed = run_tables[i].ends_with(".gz");
         constexpr double gzip = 1.1; // times as much as pack() makes of individuals
         cost.table_bytes +=
@@ -123,10 +125,10 @@ Cost cost_of(const Spec &setting, const Measured &measured) {
         cost.journal_bytes += static_cast<double>(rows.size()) * generations;
     }
     constexpr double link_bytes = 140; // of a row of chain.csv
-    cost.table_bytes += link_bytes * p.generations;
-    cost.state_bytes = measured.state_bytes * kept_states(p.generations);
+    cost.table_bytes += link_bytes * p.design.generations;
+    cost.state_bytes = measured.state_bytes * kept_states(p.design.generations);
     constexpr double entry_bytes = 200; // in memory, its place in the index included
-    cost.archive_bytes = measured.archive * entry_bytes * p.generations;
+    cost.archive_bytes = measured.archive * entry_bytes * p.design.generations;
     return cost;
 }
 
@@ -168,7 +170,8 @@ class Forecast {
         std::int64_t evaluations = 0;
         for (const std::size_t i : settings_) {
             const Parameters &p = experiment_.settings[i].parameters;
-            evaluations += std::int64_t{std::min(measured_generations, p.generations)} * p.population;
+            evaluations +=
+                std::int64_t{std::min(measured_generations, p.design.generations)} * p.neat.population;
         }
         Progress progress(console_.err, console_.terminal, evaluations);
         for (const std::size_t i : settings_) {
@@ -179,7 +182,7 @@ class Forecast {
         }
         for (const PlannedRun &run : runs_) {
             const Parameters &p = experiment_.settings[run.setting].parameters;
-            evaluations_ += static_cast<double>(p.population) * p.generations;
+            evaluations_ += static_cast<double>(p.neat.population) * p.design.generations;
         }
     }
 
@@ -187,7 +190,8 @@ class Forecast {
         int last = 0;
         for (const std::size_t i : settings_)
             last = std::max(
-                last, std::min(measured_generations, experiment_.settings[i].parameters.generations) - 1);
+                last,
+                std::min(measured_generations, experiment_.settings[i].parameters.design.generations) - 1);
         return last == 0 ? "generation 0" : "generations 1 to " + to_text(last);
     }
 

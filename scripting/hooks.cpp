@@ -42,19 +42,19 @@ Life specimen(Outcome outcome, Stage stage, const Parameters &parameters) {
     Life life;
     life.outcome = outcome;
     const bool grew = outcome != Outcome::died_out && outcome != Outcome::too_small;
-    life.cells = grew ? 4 * parameters.minimum_cells : 0;
-    life.largest = outcome == Outcome::overgrown ? parameters.cell_limit : life.cells;
+    life.cells = grew ? 4 * parameters.development.minimum_cells : 0;
+    life.largest = outcome == Outcome::overgrown ? parameters.development.cell_limit : life.cells;
     life.births = life.largest + 1;
     if (outcome != Outcome::viable) return life;
     life.links = 2 * life.cells;
     life.triangles = life.cells + 1;
     life.elongation = 2;
     if (stage == Stage::growth) return life;
-    life.settle_steps = 2 * parameters.settle_window;
+    life.settle_steps = 2 * parameters.settling.settle_window;
     life.rest = {0, 1};
     life.end = {10, 1.5};
     life.activity = life.late_actuation = 0.25;
-    const int steps = parameters.locomotion_steps / parameters.path_interval;
+    const int steps = parameters.gait.locomotion_steps / parameters.gait.path_interval;
     for (int i = 0; i <= steps; ++i)
         life.path.push_back(life.rest +
                             (life.end - life.rest) * (steps ? i / static_cast<double>(steps) : 1.0));

@@ -52,13 +52,13 @@ BOOST_AUTO_TEST_CASE(eq_1_adds_the_sines_of_two_cells) {
     const double second = math::sin(2 * math::pi * 225 / cells[1].period + cells[1].phase);
     BOOST_TEST(first == 1, near);
     BOOST_TEST(second == -0.5, near);
-    BOOST_TEST(actuated_length(1.5, elongation(p.actuation_range_aquatic, 1, first),
-                               elongation(p.actuation_range_aquatic, 1, second)) ==
+    BOOST_TEST(actuated_length(1.5, elongation(p.water.actuation_range_aquatic, 1, first),
+                               elongation(p.water.actuation_range_aquatic, 1, second)) ==
                    (1 + A * 1 + A * -0.5) * 1.5,
                near); // 1.65
 
     // The gait's signals are these sines, at its knots; t = 220 is one.
-    Oscillators gait(cells, p);
+    Oscillators gait(cells, p.gait);
     std::vector<double> signal(2);
     for (int t = 0; t <= 220; t += 10) gait.signals(t, signal);
     BOOST_TEST(signal[0] == 0.9510565162951535, near);  // 4.4π: sin 72°
@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(eq_2_moves_linearly_from_the_last_output_to_the_newest) {
 
 BOOST_AUTO_TEST_CASE(eq_3_averages_the_signals_of_two_cells) {
     // A = 0.3 on land, a₁ = 0.5, a₂ = −0.1: L = (1 + 0.3 · 0.2) · 2.
-    BOOST_TEST(actuated_length(2.0, elongation(Parameters{}.actuation_range_terrestrial, 1, 0.5),
-                               elongation(Parameters{}.actuation_range_terrestrial, 1, -0.1)) == 2.12,
+    BOOST_TEST(actuated_length(2.0, elongation(Parameters{}.land.actuation_range_terrestrial, 1, 0.5),
+                               elongation(Parameters{}.land.actuation_range_terrestrial, 1, -0.1)) == 2.12,
                near);
 }
 
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(eq_5_is_the_mean_change_between_updates_over_its_largest_po
     Tissue tissue{Activations(network.nodes, 1), {0}};
     tissue.activations.at(0, spring) = 0.3;
     Parameters p;
-    p.locomotion_steps = 150;
+    p.gait.locomotion_steps = 150;
     GrnMuscles gait(network, body, tissue, p);
     std::vector<double> signal(1);
     for (int t = 0; t <= 150; t += 10) gait.signals(t, signal);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(eq_6_is_nothing_or_a_tenth) {
 BOOST_AUTO_TEST_CASE(eq_7_is_the_mean_distance_to_the_nearest_behaviours) {
     // k = 2 and an empty archive. From (0, 0): 3, 4 and 6 away, so (3 + 4)/2.
     Parameters p;
-    p.novelty_neighbours = 2;
+    p.novelty.novelty_neighbours = 2;
     NoveltySearch search(p);
     const std::vector<Evaluation> evaluations{
         {1, {0, 0}, 1}, {1, {3, 0}, 1}, {1, {0, 4}, 1}, {1, {-6, 0}, 1}, {1, {0, 0.5}, 0}};

@@ -225,7 +225,7 @@ Finding cyclic(const Case &c) {
     }
 
     // The original's runs and ours together: how often would chance give ours so many?
-    const int ours = static_cast<int>(c.a->runs.size()), original = c.analysis.design.seeds;
+    const int ours = static_cast<int>(c.a->runs.size()), original = c.analysis.design.design.seeds;
     const int stuck = found + std::min(c.claim.count, original);
     Finding finding{.effect_name = "runs without a lasting gait", .effect = found};
     finding.p = hypergeometric_tail(found, ours + original, stuck, ours), finding.method = "exact";

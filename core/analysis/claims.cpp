@@ -35,7 +35,7 @@ Case case_of(const Claim &claim, const Analysis &analysis, std::span<const Setti
 }
 
 int wanted_generations(const Claim &claim, const Analysis &analysis) {
-    return claim.generation > 0 ? claim.generation : analysis.design.generations;
+    return claim.generation > 0 ? claim.generation : analysis.design.design.generations;
 }
 
 std::string runs_note(const SettingRuns &setting, int planned) {
@@ -57,11 +57,11 @@ std::string shortfall(const Case &c) {
             parts.push_back("no runs of " + setting->spec->name);
             continue;
         }
-        if (static_cast<int>(setting->runs.size()) < design.seeds)
-            parts.push_back(runs_note(*setting, design.seeds));
-        if (setting->spec->parameters.population < design.population)
-            parts.push_back("population " + to_text(setting->spec->parameters.population) + " of " +
-                            to_text(design.population) + " in " + setting->spec->name);
+        if (static_cast<int>(setting->runs.size()) < design.design.seeds)
+            parts.push_back(runs_note(*setting, design.design.seeds));
+        if (setting->spec->parameters.neat.population < design.neat.population)
+            parts.push_back("population " + to_text(setting->spec->parameters.neat.population) + " of " +
+                            to_text(design.neat.population) + " in " + setting->spec->name);
     }
     std::string note;
     for (const std::string &part : parts) note += (note.empty() ? "" : "; ") + part;

@@ -45,19 +45,20 @@ std::optional<Recorded> read_recorded(const std::filesystem::path &data, const S
 Steps growth_steps(const Parameters &p) {
     Steps steps{};
     for (int i = 0; i < frames_per_stage; ++i) {
-        steps[i] = static_cast<int>(std::int64_t{p.development_steps} * i / (frames_per_stage - 1));
-        if (i + 1 < frames_per_stage) steps[i] -= steps[i] % p.neighbourhood_interval;
+        steps[i] =
+            static_cast<int>(std::int64_t{p.development.development_steps} * i / (frames_per_stage - 1));
+        if (i + 1 < frames_per_stage) steps[i] -= steps[i] % p.development.neighbourhood_interval;
     }
     return steps;
 }
 
 /// Evenly over the longest period, at the end of locomotion.
 Steps gait_steps(const Parameters &p) {
-    const int span = std::min(p.locomotion_steps, static_cast<int>(p.period_longest));
+    const int span = std::min(p.gait.locomotion_steps, static_cast<int>(p.gait.period_longest));
     Steps steps{};
     for (int i = 0; i < frames_per_stage; ++i)
-        steps[i] =
-            p.locomotion_steps - span + static_cast<int>(std::int64_t{span} * i / (frames_per_stage - 1));
+        steps[i] = p.gait.locomotion_steps - span +
+                   static_cast<int>(std::int64_t{span} * i / (frames_per_stage - 1));
     return steps;
 }
 
@@ -134,7 +135,8 @@ class Camera {
 
     void draw_embryo(int number, int step, std::span<const Vec2d> cells) {
         const Parameters &p = spec_.parameters;
-        const Body body = make_body({cells.begin(), cells.end()}, p.link_limit * 2 * p.cell_radius);
+        const Body body =
+            make_body({cells.begin(), cells.end()}, p.development.link_limit * 2 * p.development.cell_radius);
         tables_.draw(frame("growth", number, step), cells, {}, body.mesh.links, body.outline);
     }
 

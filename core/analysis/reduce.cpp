@@ -147,13 +147,13 @@ Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> se
     const Parameters &design = analysis.design;
     int seeds = static_cast<int>(settings.front().runs.size()), runs = 0;
     int generations = settings.front().generations;
-    int population = settings.front().spec->parameters.population;
+    int population = settings.front().spec->parameters.neat.population;
     std::int64_t evaluations = 0;
     Hash results;
     for (const SettingRuns &setting : settings) {
         seeds = std::min(seeds, static_cast<int>(setting.runs.size()));
         generations = std::min(generations, setting.generations);
-        population = std::min(population, setting.spec->parameters.population);
+        population = std::min(population, setting.spec->parameters.neat.population);
         for (const RecordedRun &run : setting.runs) {
             ++runs;
             evaluations += std::int64_t{setting.generations} * run.population;
@@ -163,8 +163,8 @@ Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> se
         }
     }
     const auto count = static_cast<std::int64_t>(settings.size());
-    const bool complete =
-        seeds >= design.seeds && generations >= design.generations && population >= design.population;
+    const bool complete = seeds >= design.design.seeds && generations >= design.design.generations &&
+                          population >= design.neat.population;
 
     Manifest manifest;
     manifest.add("experiment", analysis.experiment);
@@ -172,13 +172,14 @@ Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> se
     manifest.add("settings", count);
     manifest.add("runs", runs);
     manifest.add("seeds", seeds);
-    manifest.add("seeds_planned", design.seeds);
+    manifest.add("seeds_planned", design.design.seeds);
     manifest.add("generations", generations);
-    manifest.add("generations_planned", design.generations);
+    manifest.add("generations_planned", design.design.generations);
     manifest.add("population", population);
-    manifest.add("population_planned", design.population);
+    manifest.add("population_planned", design.neat.population);
     manifest.add("evaluations", evaluations);
-    manifest.add("evaluations_planned", count * design.seeds * design.generations * design.population);
+    manifest.add("evaluations_planned",
+                 count * design.design.seeds * design.design.generations * design.neat.population);
     manifest.add("results_sha256", results.hex());
     manifest.add("complete", complete ? 1 : 0);
     return manifest;

@@ -38,7 +38,7 @@ void replay(const RecordedRun &run, const Spec &setting, int first, int last, co
             const Observer &observe, const StopRequest &stop, const Between &between) {
     CHECK(first >= 0 && first <= last && last < run.generations, first, last, run.generations);
     Spec spec = setting;
-    spec.parameters.generations = last + 2;
+    spec.parameters.design.generations = last + 2;
     RunState state = state_before(run, spec, first, workers, stop);
     const auto observe_wanted = [&](const Generation &generation) {
         if (generation.number >= first) observe(generation);

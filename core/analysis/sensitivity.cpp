@@ -36,7 +36,7 @@ struct Drawn {
 
 /// The genomes of the last generation that the setting asks for.
 std::vector<Genome> last_population(const RecordedRun &run, const Spec &spec) {
-    const int last = spec.parameters.generations - 1;
+    const int last = spec.parameters.design.generations - 1;
     if (last + 1 != run.generations && !is_kept_generation(last))
         throw InputError(run.folder.string() + ": the genomes of generation " + to_text(last) +
                          " are not kept in a run of " + to_text(run.generations) + " generations");
@@ -108,7 +108,7 @@ bool concerns(const ParameterRow &parameter, const Spec &spec) {
     if (makes_world(parameter.name, spec)) return true;
     if (is_of_worlds(parameter.name) && !stated_instead_of(parameter.name, spec)) return false;
     if (parameter.section == "Water") return spec.environment.has_fluid();
-    if (parameter.section == "Land") return spec.environment.has_ground;
+    if (parameter.section == "Land" || parameter.section == "Settling") return spec.environment.has_ground;
     constexpr std::array<std::string_view, 4> always{"Development", "Control network", "Body", "Gait"};
     return std::find(always.begin(), always.end(), parameter.section) != always.end();
 }

@@ -35,7 +35,7 @@ void tell_missing(const Spec &spec, const RunChoice &choice, std::span<const Rec
 }
 
 std::vector<RecordedRun> chosen_runs(const Spec &spec, const RunChoice &choice) {
-    FoundRuns found = find_runs(choice.folder, spec, spec.parameters.generations);
+    FoundRuns found = find_runs(choice.folder, spec, spec.parameters.design.generations);
     for (const std::string &line : found.left_out)
         if (is_about_chosen(spec, choice, line)) choice.tell("left out: " + line);
     std::erase_if(found.runs, [&](const RecordedRun &run) { return !is_chosen(choice, run.seed); });
@@ -53,12 +53,12 @@ std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice 
         setting.spec = &spec;
         setting.runs = chosen_runs(spec, choice);
         if (setting.runs.empty()) continue;
-        setting.generations = spec.parameters.generations;
+        setting.generations = spec.parameters.design.generations;
         any = true;
     }
     if (!any)
         throw InputError("there is no run of this experiment below " + choice.folder.string() + " that has " +
-                         to_text(settings.front().parameters.generations) + " generations");
+                         to_text(settings.front().parameters.design.generations) + " generations");
     return all;
 }
 

@@ -60,7 +60,7 @@ std::vector<Row> mean_over_runs(const SettingRuns &setting, const Analysis &anal
 OutcomeRow outcome_row(const SettingRuns &setting, GenerationRow RunHistory::*when) {
     OutcomeRow row{.setting = setting.spec->name};
     const double individuals =
-        static_cast<double>(setting.histories.size()) * setting.spec->parameters.population;
+        static_cast<double>(setting.histories.size()) * setting.spec->parameters.neat.population;
     row.generation = (setting.histories.front().*when).generation;
     const auto share = [&](int GenerationRow::*outcome) {
         std::int64_t count = 0;
@@ -88,7 +88,7 @@ SettingRow setting_row(const SettingRuns &setting) {
             .search = spec.search,
             .runs = count_of(setting),
             .generations = setting.generations,
-            .population = spec.parameters.population};
+            .population = spec.parameters.neat.population};
 }
 
 std::vector<WorldRow> world_rows(const SettingRuns &setting) {
@@ -236,8 +236,8 @@ std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Represe
 }
 
 double sampled_share(const SettingRuns &setting, const Analysis &analysis) {
-    return sample_share(analysis.sample_share, analysis.sample_least, setting.spec->parameters.population,
-                        setting.generations);
+    return sample_share(analysis.sample_share, analysis.sample_least,
+                        setting.spec->parameters.neat.population, setting.generations);
 }
 
 std::vector<ArchivePointRow> archive_point_rows(const SettingRuns &setting) {

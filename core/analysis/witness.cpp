@@ -33,8 +33,8 @@ WitnessedLives lives_of(const Genome &genome, const Spec &spec, const Life &own)
                          spec.engine == bullet.engine ? own : live(genome, bullet),
                          {},
                          held_unrest(genome, native)};
-    for (int number = 0; number < spec.parameters.witness_nudges; ++number) {
-        nudged.nudge = {spec.parameters.witness_nudge, number};
+    for (int number = 0; number < spec.parameters.statistics.witness_nudges; ++number) {
+        nudged.nudge = {spec.parameters.statistics.witness_nudge, number};
         lives.nudged.push_back(live(genome, nudged));
     }
     return lives;
@@ -48,8 +48,9 @@ struct Difference {
 
 Difference difference(const Spec &spec, const Life &native, const Life &other) {
     const double from = native.displacement();
-    const double by = std::abs(other.displacement() - from) / std::max(from, 2 * spec.parameters.cell_radius);
-    return {by, by > spec.parameters.exploit_bound || other.outcome != Outcome::viable};
+    const double by =
+        std::abs(other.displacement() - from) / std::max(from, 2 * spec.parameters.development.cell_radius);
+    return {by, by > spec.parameters.statistics.exploit_bound || other.outcome != Outcome::viable};
 }
 
 /// The widest difference of several lives.
@@ -65,7 +66,7 @@ Difference widest(const Spec &spec, const Life &native, std::span<const Life> ot
 /// The row of a run; none if its champion is not viable.
 std::optional<WitnessRow> examine(const Spec &spec, const RecordedRun &run) {
     check_files(run);
-    const int generations = spec.parameters.generations;
+    const int generations = spec.parameters.design.generations;
     const ChampionRow champion = champion_after(read_champions(run), generations);
     const Recorded recorded{run.folder / ChampionRow::file_name, read_champion_genome(run, generations),
                             champion.fitness, champion.displacement, champion.cells};
@@ -85,21 +86,21 @@ std::vector<double> column(std::span<const WitnessRow> rows, double WitnessRow::
 } // namespace
 
 double held_unrest(const Genome &genome, Conditions conditions) {
-    conditions.held_from = conditions.parameters.locomotion_steps;
-    conditions.parameters.locomotion_steps *= 2;
+    conditions.held_from = conditions.parameters.gait.locomotion_steps;
+    conditions.parameters.gait.locomotion_steps *= 2;
     const Parameters p = refined(conditions.parameters, conditions.refinement);
     std::vector<Vec2d> before, velocities;
     double at_end = 0;
     Watch watch;
     watch.move = [&](int step, std::span<const Vec2d> nodes, std::span<const double>) {
-        if (step == p.locomotion_steps - 1) before.assign(nodes.begin(), nodes.end());
-        if (step != p.locomotion_steps) return;
+        if (step == p.gait.locomotion_steps - 1) before.assign(nodes.begin(), nodes.end());
+        if (step != p.gait.locomotion_steps) return;
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            velocities.push_back((nodes[i] - before[i]) / p.time_step);
+            velocities.push_back((nodes[i] - before[i]) / p.development.time_step);
         at_end = unrest(nodes, velocities);
     };
     const Life life = live(genome, conditions, watch);
-    return life.outcome == Outcome::exploded ? p.node_speed_limit / p.time_step : at_end;
+    return life.outcome == Outcome::exploded ? p.body.node_speed_limit / p.development.time_step : at_end;
 }
 
 WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64_t seed,
@@ -128,9 +129,9 @@ WitnessRow witness_row(const Spec &spec, const ChampionRow &champion, std::int64
                    .bullet_rest_height = height(bullet),
                    .nudged_change = by_nudge.change,
                    .held_unrest = held,
-                   .flag = by_half.beyond                        ? "integration exploit"
-                           : held > spec.parameters.unrest_bound ? "perpetual motion"
-                                                                 : "",
+                   .flag = by_half.beyond                                   ? "integration exploit"
+                           : held > spec.parameters.statistics.unrest_bound ? "perpetual motion"
+                                                                            : "",
                    .cause = ""};
     const bool by_step = by_half.beyond || by_eighth.beyond;
     if (by_step || by_bullet.beyond) row.cause = by_nudge.beyond ? "chaos" : by_step ? "time step" : "engine";

@@ -5,7 +5,8 @@
 
 namespace planula {
 
-std::array<double, input::count> sense(Vec2d position, double morphogen, double time, const Parameters &p) {
+std::array<double, input::count> sense(Vec2d position, double morphogen, double time,
+                                       const NetworkParameters &p) {
     const double d = p.morphogen_distance;
     const auto maternal = [&](Vec2d source) {
         return math::exp(-length(position - source) / p.morphogen_decay);

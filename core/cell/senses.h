@@ -14,7 +14,7 @@ namespace planula {
 
 /// The nine inputs. `morphogen` is the mean of the neighbours' morphogen outputs, `time` runs from 0 to 1.
 std::array<double, input::count> sense(Vec2d position, double morphogen, double time,
-                                       const Parameters &parameters);
+                                       const NetworkParameters &parameters);
 
 /// Mean of morphogens[i] over the neighbours, in ascending order; 0 without neighbours.
 double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens);

@@ -45,7 +45,8 @@ void carry_orientations(std::span<const Vec2d> places, Embryo &embryo) {
     }
 }
 
-Vec2d division_direction(const Embryo &embryo, int cell, double angle_output, const Parameters &p) {
+Vec2d division_direction(const Embryo &embryo, int cell, double angle_output,
+                         const DevelopmentParameters &p) {
     Vec2d mean;
     for (const int neighbour : embryo.neighbours[cell]) mean += embryo.cells[neighbour].orientation;
     const double norm = length(mean);
@@ -65,7 +66,8 @@ void remove_cells(std::span<const char> dying, Embryo &embryo) {
     embryo.activations.remove(dying);
 }
 
-Vec2d daughter_position(Vec2d mother, Vec2d direction, std::uint64_t lineage, const Parameters &p) {
+Vec2d daughter_position(Vec2d mother, Vec2d direction, std::uint64_t lineage,
+                        const DevelopmentParameters &p) {
     const std::uint64_t bits = mix(lineage);
     const double reach = p.division_jitter / std::sqrt(2.0);
     const Vec2d offset{symmetric(bits) * reach, symmetric(bits >> 32) * reach};
@@ -76,7 +78,7 @@ std::uint64_t daughter_lineage(const Cell &mother) {
     return mix(mother.lineage + static_cast<std::uint64_t>(mother.daughters) + 1);
 }
 
-bool divide(int mother, Vec2d direction, const Parameters &p, Embryo &embryo) {
+bool divide(int mother, Vec2d direction, const DevelopmentParameters &p, Embryo &embryo) {
     const Vec2d place = daughter_position(embryo.cells[mother].position, direction,
                                           daughter_lineage(embryo.cells[mother]), p);
     const double surely_clear =

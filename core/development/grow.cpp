@@ -28,7 +28,7 @@ bool update_networks(const Network &network, Actuation actuation, double time, c
     bool finite = true;
     for (int i = 0; i < cells; ++i) {
         const auto inputs = sense(embryo.cells[i].position, mean_morphogen(embryo.neighbours[i], morphogens),
-                                  time, parameters);
+                                  time, parameters.network);
         for (int node = 0; node < input::count; ++node) embryo.activations.at(i, node) = inputs[node];
         finite = finite && all_finite(inputs);
     }
@@ -57,18 +57,19 @@ Outcome decide(const Network &network, Actuation actuation, double time, const P
         };
         dying.push_back(output_of(output::apoptosis) > 0);
         if (!dying.back() && !(output_of(output::division_inhibitor) > 0))
-            wishes.push_back({embryo.cells[i].id,
-                              division_direction(embryo, i, output_of(output::division_angle), parameters)});
+            wishes.push_back(
+                {embryo.cells[i].id,
+                 division_direction(embryo, i, output_of(output::division_angle), parameters.development)});
     }
     remove_cells(dying, embryo);
 
     // Daughters are appended, so mothers keep their places.
     std::size_t mother = 0;
     for (const auto &[id, direction] : wishes) {
-        if (embryo.births >= parameters.birth_limit) break;
+        if (embryo.births >= parameters.development.birth_limit) break;
         while (embryo.cells[mother].id != id) ++mother;
-        divide(static_cast<int>(mother), direction, parameters, embryo);
-        if (embryo.largest >= parameters.cell_limit) return Outcome::overgrown;
+        divide(static_cast<int>(mother), direction, parameters.development, embryo);
+        if (embryo.largest >= parameters.development.cell_limit) return Outcome::overgrown;
     }
     return embryo.cells.empty() ? Outcome::died_out : Outcome::viable;
 }
@@ -100,13 +101,13 @@ bool refresh(bool all_live, Connection &connection, Embryo &embryo) {
 Outcome develop(const Network &network, Actuation actuation, const Parameters &parameters,
                 const GrowthWatch &watch, Connection &connection, Embryo &embryo) {
     bool all_live = false; // the cells of the last refresh
-    const bool carries = parameters.orientation_frame == OrientationFrame::tissue;
+    const bool carries = parameters.development.orientation_frame == OrientationFrame::tissue;
     std::vector<Vec2d> refreshed; // where they were then, if orientations turn with the tissue
-    for (int step = 0; step < parameters.development_steps; ++step) {
-        const bool refreshes = step % parameters.neighbourhood_interval == 0;
+    for (int step = 0; step < parameters.development.development_steps; ++step) {
+        const bool refreshes = step % parameters.development.neighbourhood_interval == 0;
         if (carries && refreshes && step > 0) carry_orientations(refreshed, embryo);
-        if (step % parameters.decision_interval == 0) {
-            const double time = static_cast<double>(step) / parameters.development_steps;
+        if (step % parameters.development.decision_interval == 0) {
+            const double time = static_cast<double>(step) / parameters.development.development_steps;
             const std::size_t dead = embryo.births - embryo.cells.size();
             const Outcome outcome = decide(network, actuation, time, parameters, embryo);
             if (outcome != Outcome::viable) return outcome;
@@ -118,7 +119,7 @@ Outcome develop(const Network &network, Actuation actuation, const Parameters &p
             if (carries) refreshed = positions(embryo);
         }
         if (watch) watch(step, positions(embryo), embryo.links);
-        relax(parameters, embryo);
+        relax(parameters.development, embryo);
     }
     return refresh(all_live, connection, embryo) ? Outcome::viable : Outcome::exploded;
 }
@@ -134,7 +135,7 @@ Tissue read_tissue(const Embryo &embryo) {
 Growth grow(const Network &network, Actuation actuation, const Parameters &parameters,
             const GrowthWatch &watch) {
     Embryo embryo = zygote(network.nodes);
-    Connection connection(parameters.link_limit * 2 * parameters.cell_radius);
+    Connection connection(parameters.development.link_limit * 2 * parameters.development.cell_radius);
     Growth growth;
     growth.outcome = develop(network, actuation, parameters, watch, connection, embryo);
     growth.cells = static_cast<int>(embryo.cells.size());
@@ -144,10 +145,10 @@ Growth grow(const Network &network, Actuation actuation, const Parameters &param
 
     // The last triangulation is the template of the body; oscillators are read out over it, at time 1 (§2.6.1).
     growth.body = make_body(positions(embryo), connection.mesh());
-    if (watch) watch(parameters.development_steps, growth.body.positions, growth.body.mesh.links);
+    if (watch) watch(parameters.development.development_steps, growth.body.positions, growth.body.mesh.links);
     if (actuation == Actuation::oscillator && !update_networks(network, actuation, 1, parameters, embryo))
         growth.outcome = Outcome::exploded;
-    else if (growth.cells < parameters.minimum_cells)
+    else if (growth.cells < parameters.development.minimum_cells)
         growth.outcome = Outcome::too_small;
     growth.tissue = read_tissue(embryo);
     return growth;

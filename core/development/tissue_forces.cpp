@@ -9,7 +9,7 @@ namespace {
 
 /// Adds the forces of `T::width` links to those on their ends.
 template <class T>
-void add_pulls(const Embryo &embryo, const Link *links, const Parameters &p, Vec2d *forces) {
+void add_pulls(const Embryo &embryo, const Link *links, const DevelopmentParameters &p, Vec2d *forces) {
     const auto of_each = [&](const auto &difference) {
         return load_each<T>(
             [&](int lane) { return difference(embryo.cells[links[lane].a], embryo.cells[links[lane].b]); });
@@ -36,7 +36,7 @@ void add_pulls(const Embryo &embryo, const Link *links, const Parameters &p, Vec
 
 } // namespace
 
-std::vector<Vec2d> tissue_forces(const Embryo &embryo, const Parameters &p) {
+std::vector<Vec2d> tissue_forces(const Embryo &embryo, const DevelopmentParameters &p) {
     std::vector<Vec2d> forces(embryo.cells.size());
     for (std::size_t i = 0; i < forces.size(); ++i)
         forces[i] = embryo.cells[i].velocity * -p.tissue_viscosity;
@@ -49,7 +49,7 @@ std::vector<Vec2d> tissue_forces(const Embryo &embryo, const Parameters &p) {
     return forces;
 }
 
-void relax(const Parameters &p, Embryo &embryo) {
+void relax(const DevelopmentParameters &p, Embryo &embryo) {
     const std::vector<Vec2d> forces = tissue_forces(embryo, p);
     const double limit = p.cell_speed_limit / p.time_step, surely_below = 0.999 * limit * limit;
     for (std::size_t i = 0; i < embryo.cells.size(); ++i) {

@@ -4,13 +4,14 @@
 namespace planula {
 
 Parameters refined(Parameters p, int refinement) {
-    p.time_step /= refinement;
-    p.node_speed_limit /= refinement;
-    for (int *steps : {&p.settle_window, &p.settle_limit, &p.locomotion_steps, &p.ramp_steps,
-                       &p.knot_interval, &p.update_interval, &p.path_interval})
+    p.development.time_step /= refinement;
+    p.body.node_speed_limit /= refinement;
+    for (int *steps :
+         {&p.settling.settle_window, &p.settling.settle_limit, &p.gait.locomotion_steps, &p.gait.ramp_steps,
+          &p.gait.knot_interval, &p.gait.update_interval, &p.gait.path_interval})
         *steps *= refinement;
-    p.period_shortest *= refinement;
-    p.period_longest *= refinement;
+    p.gait.period_shortest *= refinement;
+    p.gait.period_longest *= refinement;
     return p;
 }
 

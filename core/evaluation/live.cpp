@@ -58,7 +58,7 @@ void move_alike(const Life &moved, Life &life) {
 
 Life live(const Genome &genome, const Conditions &conditions, const Watch &watch, const Recall &recall) {
     const Parameters &growing = conditions.parameters;
-    const Network network = express(genome, growing.propagation_limit);
+    const Network network = express(genome, growing.network.propagation_limit);
     const Growth growth = grow(network, conditions.actuation, growing, watch.grow);
     Life life = life_of(growth);
     if (growth.outcome != Outcome::viable) return life;
@@ -67,18 +67,19 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     const Parameters moving = refined(growing, conditions.refinement);
     if (recall && conditions.actuation == Actuation::oscillator)
         if (const Life *known =
-                recall(growth.body.positions, read_oscillators(network, growth.tissue, moving))) {
+                recall(growth.body.positions, read_oscillators(network, growth.tissue, moving.gait))) {
             move_alike(*known, life);
             return life;
         }
 
-    SoftBodyModel model = embody(growth.body, conditions.environment, moving);
+    SoftBodyModel model =
+        embody(growth.body, conditions.environment, moving.body, moving.development.time_step);
     disturb(conditions.nudge, model.positions);
     auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
     if (conditions.held_from) gait = hold(std::move(gait), *conditions.held_from * conditions.refinement);
     const auto engine = make_engine(conditions.engine);
-    Trial trial =
-        locomote(model, conditions.environment, conditions.actuation_range, *gait, *engine, watch.move);
+    Trial trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
+                           watch.move);
 
     // A life that ended early has no place and no distance.
     life.outcome = trial.outcome;
@@ -93,7 +94,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
 }
 
 Life develop(const Genome &genome, const Conditions &conditions) {
-    const Network network = express(genome, conditions.parameters.propagation_limit);
+    const Network network = express(genome, conditions.parameters.network.propagation_limit);
     return life_of(grow(network, conditions.actuation, conditions.parameters));
 }
 

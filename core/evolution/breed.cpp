@@ -13,7 +13,7 @@ namespace planula {
 namespace {
 
 /// The slot of a parent, drawn uniformly from the best survival_rate of the species and the next one.
-int draw_parent(const Species &species, const Parameters &parameters, Stream &stream) {
+int draw_parent(const Species &species, const NeatParameters &parameters, Stream &stream) {
     const double size = static_cast<double>(species.members.size());
     const double last = std::min(size - 1, std::floor(parameters.survival_rate * size + 1));
     return species.members[stream.below(static_cast<std::uint32_t>(last) + 1)];
@@ -35,14 +35,14 @@ struct Pairing {
     bool alone;      // there is only one to draw
 };
 
-Pairing within(const Parents &parents, const Species &species, const Parameters &parameters) {
+Pairing within(const Parents &parents, const Species &species, const NeatParameters &parameters) {
     const auto draw = [&](Stream &stream) { return draw_parent(species, parameters, stream); };
     return {parents, draw, species.members.size() == 1};
 }
 
 /// The slot of a father who differs from the mother if mate_tries draws find one.
 int draw_father(const Parents &parents, const ParentDraw &draw, const Genome &mother,
-                const Parameters &parameters, Stream &stream) {
+                const NeatParameters &parameters, Stream &stream) {
     const auto alike = [&](int slot) {
         return parents.genomes[slot].id == mother.id ||
                distance(mother, parents.genomes[slot], parameters) <= parameters.clone_distance;
@@ -52,7 +52,7 @@ int draw_father(const Parents &parents, const ParentDraw &draw, const Genome &mo
     return father;
 }
 
-Genome mate(const Pairing &pairing, int mother, const Parameters &parameters, Stream &stream) {
+Genome mate(const Pairing &pairing, int mother, const NeatParameters &parameters, Stream &stream) {
     const Parents &parents = pairing.parents;
     // Rarely the father's species is drawn from all, and may be the own.
     Crossing crossing;
@@ -72,7 +72,7 @@ Genome mate(const Pairing &pairing, int mother, const Parameters &parameters, St
 }
 
 /// One try at a child; a further try changes no structure.
-Genome conceive(const Pairing &pairing, bool first_try, bool recurrent, const Parameters &parameters,
+Genome conceive(const Pairing &pairing, bool first_try, bool recurrent, const NeatParameters &parameters,
                 Innovations &innovations, Stream &stream) {
     const int mother = pairing.draw(stream);
     const bool mated = !pairing.alone && stream.chance(parameters.crossover_rate);
@@ -87,7 +87,7 @@ Genome conceive(const Pairing &pairing, bool first_try, bool recurrent, const Pa
 }
 
 Genome breed(const Pairing &pairing, std::span<const Genome> siblings, bool recurrent,
-             const Parameters &parameters, Innovations &innovations, Stream &stream) {
+             const NeatParameters &parameters, Innovations &innovations, Stream &stream) {
     Genome child = conceive(pairing, true, recurrent, parameters, innovations, stream);
     for (int tries = 1; tries < parameters.clone_tries && is_clone(child, siblings, parameters); ++tries)
         child = conceive(pairing, false, recurrent, parameters, innovations, stream);
@@ -102,12 +102,12 @@ Genome copy_champion(const Parents &parents, const Species &species) {
 }
 
 Genome breed(const Parents &parents, const Species &species, std::span<const Genome> siblings, bool recurrent,
-             const Parameters &parameters, Innovations &innovations, Stream &stream) {
+             const NeatParameters &parameters, Innovations &innovations, Stream &stream) {
     return breed(within(parents, species, parameters), siblings, recurrent, parameters, innovations, stream);
 }
 
 Genome breed(const Parents &parents, const ParentDraw &draw, std::span<const Genome> siblings, bool recurrent,
-             const Parameters &parameters, Innovations &innovations, Stream &stream) {
+             const NeatParameters &parameters, Innovations &innovations, Stream &stream) {
     return breed(Pairing{parents, draw, parents.genomes.size() == 1}, siblings, recurrent, parameters,
                  innovations, stream);
 }

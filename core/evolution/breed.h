@@ -27,10 +27,10 @@ Genome copy_champion(const Parents &parents, const Species &species);
 /// A child of this species, different from all its `siblings` if clone_tries tries can make it so. It has no
 /// id yet. Innovations are recorded for rejected tries, too.
 Genome breed(const Parents &parents, const Species &species, std::span<const Genome> siblings, bool recurrent,
-             const Parameters &parameters, Innovations &innovations, Stream &stream);
+             const NeatParameters &parameters, Innovations &innovations, Stream &stream);
 
 /// The same for parents that know no species: each is drawn from all by `draw`.
 Genome breed(const Parents &parents, const ParentDraw &draw, std::span<const Genome> siblings, bool recurrent,
-             const Parameters &parameters, Innovations &innovations, Stream &stream);
+             const NeatParameters &parameters, Innovations &innovations, Stream &stream);
 
 } // namespace planula

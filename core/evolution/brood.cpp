@@ -48,7 +48,7 @@ Elites load_elites(const Population &population, StateReader &reader) {
 }
 
 Population brood(const Population &population, const Parents &parents, const ParentDraw &draw, bool recurrent,
-                 const Parameters &parameters, std::uint64_t seed) {
+                 const NeatParameters &parameters, std::uint64_t seed) {
     CHECK(!parents.genomes.empty() && parents.species.empty());
     for (const Genome &parent : parents.genomes)
         CHECK(same_shape(parent, population.genomes.front()), parent.id);

@@ -28,6 +28,6 @@ Elites load_elites(const Population &population, StateReader &reader);
 /// `draw`. There is at least one parent, all have the shape of the population's genomes, and
 /// Parents::species is empty.
 Population brood(const Population &population, const Parents &parents, const ParentDraw &draw, bool recurrent,
-                 const Parameters &parameters, std::uint64_t seed);
+                 const NeatParameters &parameters, std::uint64_t seed);
 
 } // namespace planula

@@ -21,7 +21,7 @@ std::vector<double> FitnessSearch::score(const Population &population,
 
 Population FitnessSearch::next(const Population &population, std::span<const double> scores,
                                const NetworkShape &shape, std::uint64_t seed) const {
-    return reproduce(population, scores, Adjustment::sharing, shape.recurrent, parameters_, seed);
+    return reproduce(population, scores, Adjustment::sharing, shape.recurrent, neat_, seed);
 }
 
 void FitnessSearch::save(const Population &, StateWriter &writer) const { writer.group("fitness search"); }

@@ -8,7 +8,7 @@ namespace planula {
 
 class FitnessSearch final : public Search {
   public:
-    explicit FitnessSearch(const Parameters &parameters) : parameters_(parameters) {}
+    explicit FitnessSearch(const Parameters &parameters) : neat_(parameters.neat) {}
 
     /// The fitness of each valid individual, in which the penalty is already contained; 0 for all others.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
@@ -19,7 +19,7 @@ class FitnessSearch final : public Search {
               StateReader &reader) override;
 
   private:
-    Parameters parameters_;
+    NeatParameters neat_;
 };
 
 } // namespace planula

@@ -10,7 +10,7 @@ namespace planula {
 namespace {
 
 /// Of each valid genome, the mean distance to the valid others, summed in order; 0 without any.
-std::vector<double> genotypic_diversity(const Elites &pool, const Parameters &parameters) {
+std::vector<double> genotypic_diversity(const Elites &pool, const NeatParameters &parameters) {
     std::vector<std::size_t> valid;
     std::vector<const Genome *> genomes;
     for (std::size_t i = 0; i < pool.size(); ++i)
@@ -30,7 +30,7 @@ std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool, c
         return index < pool.size() ? pool.evaluations[index].fitness
                                    : archive.entries()[index - pool.size()].fitness;
     };
-    const std::vector<double> genotypic = genotypic_diversity(pool, parameters_);
+    const std::vector<double> genotypic = genotypic_diversity(pool, neat_);
     std::vector<Objectives> result(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i) {
         const Evaluation &evaluation = pool.evaluations[i];

@@ -26,8 +26,7 @@ std::vector<double> MapElitesSearch::score(const Population &population,
 
 MapElitesSearch::Niche MapElitesSearch::niche_of(const Evaluation &evaluation) const {
     Niche niche;
-    for (const double value : evaluation.behaviour)
-        niche.push_back(std::floor(value / parameters_.niche_width));
+    for (const double value : evaluation.behaviour) niche.push_back(std::floor(value / niche_width_));
     return niche;
 }
 
@@ -57,7 +56,7 @@ Population MapElitesSearch::next(const Population &population, std::span<const d
     const auto any = [&](Stream &stream) {
         return static_cast<int>(stream.below(static_cast<std::uint32_t>(parents.genomes.size())));
     };
-    return brood(population, parents, any, shape.recurrent, parameters_, seed);
+    return brood(population, parents, any, shape.recurrent, neat_, seed);
 }
 
 void MapElitesSearch::save(const Population &population, StateWriter &writer) const {
@@ -69,7 +68,7 @@ void MapElitesSearch::save(const Population &population, StateWriter &writer) co
 
 void MapElitesSearch::load(const Population &population, std::span<const ArchiveEntry> archive,
                            StateReader &reader) {
-    *this = MapElitesSearch(parameters_);
+    *this = MapElitesSearch(neat_, niche_width_);
     reader.group("map-elites search");
     const Elites elites = load_elites(population, reader);
     reader.group("archive");

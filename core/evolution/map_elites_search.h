@@ -20,7 +20,8 @@ namespace planula {
 
 class MapElitesSearch final : public Search {
   public:
-    explicit MapElitesSearch(const Parameters &parameters) : parameters_(parameters) {}
+    explicit MapElitesSearch(const Parameters &parameters)
+        : MapElitesSearch(parameters.neat, parameters.map_elites.niche_width) {}
 
     /// Throws InputError as check_behaviours() does.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
@@ -38,6 +39,9 @@ class MapElitesSearch final : public Search {
     const Elites &elites() const { return elites_; }
 
   private:
+    MapElitesSearch(const NeatParameters &neat, double niche_width)
+        : neat_(neat), niche_width_(niche_width) {}
+
     /// Multiples of the width, rounded down.
     using Niche = std::vector<double>;
     Niche niche_of(const Evaluation &evaluation) const;
@@ -45,7 +49,8 @@ class MapElitesSearch final : public Search {
     /// Returns what it adds to the map.
     double enter(const Genome &genome, const Evaluation &evaluation);
 
-    Parameters parameters_;
+    NeatParameters neat_;
+    double niche_width_;
     Elites elites_;
     std::map<Niche, std::size_t> niches_; // places among the elites
     std::vector<ArchiveEntry> archive_;

@@ -36,7 +36,7 @@ double novelty(std::span<const Neighbour> neighbours);
 
 class NoveltyArchive {
   public:
-    explicit NoveltyArchive(const Parameters &parameters)
+    explicit NoveltyArchive(const NoveltyParameters &parameters)
         : parameters_(parameters), threshold_(parameters.archive_threshold) {}
 
     /// Of each individual the novelty_neighbours nearest among the valid others and the archive, the nearest
@@ -59,7 +59,7 @@ class NoveltyArchive {
   private:
     void add(ArchiveEntry entry);
 
-    Parameters parameters_;
+    NoveltyParameters parameters_;
     std::vector<ArchiveEntry> entries_;
     PointIndex index_; // of their behaviours
     double threshold_;

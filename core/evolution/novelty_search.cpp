@@ -18,9 +18,9 @@ std::vector<double> NoveltySearch::score(const Population &population,
 
 Population NoveltySearch::next(const Population &population, std::span<const double> scores,
                                const NetworkShape &shape, std::uint64_t seed) const {
-    const bool aged = parameters_.novelty_species == NoveltySpecies::aged;
-    return reproduce(population, scores, aged ? Adjustment::age : Adjustment::none, shape.recurrent,
-                     parameters_, seed);
+    const bool aged = species_ == NoveltySpecies::aged;
+    return reproduce(population, scores, aged ? Adjustment::age : Adjustment::none, shape.recurrent, neat_,
+                     seed);
 }
 
 void NoveltySearch::save(const Population &, StateWriter &writer) const {

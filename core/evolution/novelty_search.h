@@ -10,7 +10,9 @@ namespace planula {
 
 class NoveltySearch final : public Search {
   public:
-    explicit NoveltySearch(const Parameters &parameters) : parameters_(parameters), archive_(parameters) {}
+    explicit NoveltySearch(const Parameters &parameters)
+        : neat_(parameters.neat), species_(parameters.novelty.novelty_species), archive_(parameters.novelty) {
+    }
 
     /// ρ × penalty; 0 for invalid individuals. Throws InputError as check_behaviours() does.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
@@ -24,7 +26,8 @@ class NoveltySearch final : public Search {
               StateReader &reader) override;
 
   private:
-    Parameters parameters_;
+    NeatParameters neat_;
+    NoveltySpecies species_;
     NoveltyArchive archive_;
 };
 

@@ -27,7 +27,7 @@ std::vector<double> ParetoSearch::score(const Population &population,
         if (const std::size_t who = order[place]; who >= kept_.size())
             scores[who - kept_.size()] = static_cast<double>(order.size() - 1 - place);
     kept_ = Elites();
-    for (std::size_t place = 0; place < std::min<std::size_t>(order.size(), parameters_.population); ++place)
+    for (std::size_t place = 0; place < std::min<std::size_t>(order.size(), neat_.population); ++place)
         kept_.add(pool.genomes[order[place]], pool.evaluations[order[place]]);
     return scores;
 }
@@ -58,7 +58,7 @@ Population ParetoSearch::next(const Population &population, std::span<const doub
         const std::uint32_t one = stream.below(size), other = stream.below(size);
         return static_cast<int>(std::min(one, other));
     };
-    return brood(population, {kept_.genomes, ranks, {}}, tournament, shape.recurrent, parameters_, seed);
+    return brood(population, {kept_.genomes, ranks, {}}, tournament, shape.recurrent, neat_, seed);
 }
 
 void ParetoSearch::save(const Population &population, StateWriter &writer) const {

@@ -37,7 +37,7 @@ class ParetoSearch : public Search {
 
   protected:
     ParetoSearch(std::string name, const Parameters &parameters)
-        : parameters_(parameters), name_(std::move(name)), archive_(parameters) {}
+        : neat_(parameters.neat), name_(std::move(name)), archive_(parameters.novelty) {}
 
     using Neighbours = std::vector<std::vector<Neighbour>>;
     /// Of each valid individual of the pool, whose neighbours are those of NoveltyArchive::neighbours().
@@ -47,7 +47,7 @@ class ParetoSearch : public Search {
     virtual std::vector<double> diversity(std::span<const Objectives> objectives,
                                           std::span<const int> front) const = 0;
 
-    const Parameters parameters_;
+    const NeatParameters neat_;
 
   private:
     std::vector<int> ranked(std::span<const Objectives> objectives) const;

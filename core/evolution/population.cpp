@@ -26,7 +26,8 @@ Genome fully_connected(const NetworkShape &shape, Innovations &innovations) {
 
 } // namespace
 
-Population initial_population(const NetworkShape &shape, const Parameters &parameters, std::uint64_t seed) {
+Population initial_population(const NetworkShape &shape, const NeatParameters &parameters,
+                              std::uint64_t seed) {
     CHECK(shape.inputs >= 1 && shape.outputs >= 1, shape.inputs, shape.outputs);
     Population population;
     population.threshold = parameters.compatibility_threshold;

@@ -43,6 +43,7 @@ struct NetworkShape {
 
 /// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2), placed in
 /// species one after the other.
-Population initial_population(const NetworkShape &shape, const Parameters &parameters, std::uint64_t seed);
+Population initial_population(const NetworkShape &shape, const NeatParameters &parameters,
+                              std::uint64_t seed);
 
 } // namespace planula

@@ -107,10 +107,10 @@ void save(const Population &population, StateWriter &writer) {
     for (const Species &species : population.species) save(species, writer);
 }
 
-Population load_population(const NetworkShape &shape, const Parameters &parameters, StateReader &reader) {
+Population load_population(const NetworkShape &shape, int size, int generations, StateReader &reader) {
     Population population;
     reader.group("population");
-    population.generation = static_cast<int>(reader.integer(0, std::int64_t{parameters.generations} - 1));
+    population.generation = static_cast<int>(reader.integer(0, std::int64_t{generations} - 1));
     population.threshold = reader.finite();
     if (population.threshold < 0) reader.refuse("the compatibility threshold is below 0");
     population.best_ever = load_score(reader);
@@ -122,7 +122,7 @@ Population load_population(const NetworkShape &shape, const Parameters &paramete
     population.innovations = Innovations::load(reader);
     if (population.innovations.first_node() != shape.inputs + shape.outputs)
         reader.refuse("the innovations are of networks of another shape");
-    load_genomes(shape, parameters.population, population, reader);
+    load_genomes(shape, size, population, reader);
     reader.group("species");
     load_all_species(population, reader);
     return population;

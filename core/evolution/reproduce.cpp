@@ -38,7 +38,8 @@ void grow_older(double record, std::vector<Species> &species) {
 }
 
 /// A rise of the best score ends stagnation.
-void note_best(std::span<const double> scores, const Parameters &parameters, std::vector<Species> &species) {
+void note_best(std::span<const double> scores, const NeatParameters &parameters,
+               std::vector<Species> &species) {
     for (auto &each : species) {
         const double best = std::max(scores[each.members.front()], parameters.fitness_floor);
         if (best <= each.best_ever) continue;
@@ -48,7 +49,7 @@ void note_best(std::span<const double> scores, const Parameters &parameters, std
 }
 
 /// What the scores of this species' members are multiplied by before offspring is shared out.
-double worth(const Species &species, Adjustment adjustment, const Parameters &parameters) {
+double worth(const Species &species, Adjustment adjustment, const NeatParameters &parameters) {
     double factor = 1;
     if (adjustment == Adjustment::none) return factor;
     if (species.age < parameters.young_age) factor *= parameters.young_boost;
@@ -60,7 +61,7 @@ double worth(const Species &species, Adjustment adjustment, const Parameters &pa
 
 /// The adjusted score of each species: the sum over its members.
 std::vector<double> adjusted_scores(const std::vector<Species> &species, std::span<const double> scores,
-                                    Adjustment adjustment, const Parameters &parameters) {
+                                    Adjustment adjustment, const NeatParameters &parameters) {
     std::vector<double> adjusted;
     for (const auto &each : species) {
         const double factor = worth(each, adjustment, parameters);
@@ -82,7 +83,7 @@ std::vector<int> quotas(const std::vector<double> &adjusted, int population) {
     return result;
 }
 
-double moved_threshold(double threshold, std::size_t species, const Parameters &parameters) {
+double moved_threshold(double threshold, std::size_t species, const NeatParameters &parameters) {
     const int count = static_cast<int>(species);
     if (count > parameters.species_high) threshold += parameters.compatibility_step;
     if (count < parameters.species_low) threshold -= parameters.compatibility_step;
@@ -92,7 +93,7 @@ double moved_threshold(double threshold, std::size_t species, const Parameters &
 /// The next generation before any birth: the same species, empty, and a threshold that keeps their number in
 /// its range.
 Population heir(const Population &population, std::span<const double> scores,
-                const std::vector<Species> &species, const Parameters &parameters) {
+                const std::vector<Species> &species, const NeatParameters &parameters) {
     Population next;
     next.generation = population.generation + 1;
     next.species = species;
@@ -108,7 +109,7 @@ Population heir(const Population &population, std::span<const double> scores,
 } // namespace
 
 Population reproduce(const Population &population, std::span<const double> scores, Adjustment adjustment,
-                     bool recurrent, const Parameters &parameters, std::uint64_t seed) {
+                     bool recurrent, const NeatParameters &parameters, std::uint64_t seed) {
     CHECK(scores.size() == population.genomes.size(), scores.size(), population.genomes.size());
     CHECK(std::all_of(scores.begin(), scores.end(), [](double s) { return s >= 0 && std::isfinite(s); }));
 

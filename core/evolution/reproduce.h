@@ -23,6 +23,6 @@ enum class Adjustment {
 /// The next generation, of parameters.population genomes. `scores` are in slot order, finite, and at least 0.
 /// `recurrent` is the shape's: it allows links that do not climb in depth.
 Population reproduce(const Population &population, std::span<const double> scores, Adjustment adjustment,
-                     bool recurrent, const Parameters &parameters, std::uint64_t seed);
+                     bool recurrent, const NeatParameters &parameters, std::uint64_t seed);
 
 } // namespace planula

@@ -12,7 +12,7 @@ namespace planula {
 namespace {
 
 /// The first compatible species, or the end of the list.
-std::vector<Species>::iterator find_species(const Parameters &parameters, Population &population,
+std::vector<Species>::iterator find_species(const NeatParameters &parameters, Population &population,
                                             const Genome &child) {
     return std::find_if(population.species.begin(), population.species.end(), [&](const Species &species) {
         return distance(child, species.representative, parameters) <= population.threshold;
@@ -34,7 +34,7 @@ void fill(int size, Population &population) {
 
 } // namespace
 
-void add_child(const Parameters &parameters, Population &population, Genome child) {
+void add_child(const NeatParameters &parameters, Population &population, Genome child) {
     child.id = population.next_genome++;
     auto home = find_species(parameters, population, child);
     if (home == population.species.end()) {

@@ -35,7 +35,7 @@ void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState 
         const std::vector<double> scores = state.search->score(population, evaluations);
         observe({population.generation, population, lives, evaluations, scores, *state.search, state.mothers,
                  fittest(evaluations), memo.known()});
-        if (population.generation + 1 >= p.generations) return;
+        if (population.generation + 1 >= p.design.generations) return;
         state.mothers.add(population, lives, evaluations);
         population = state.search->next(population, scores, shape, seed);
         state.mothers.keep(population, state.search->kept_genomes());

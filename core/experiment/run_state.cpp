@@ -13,8 +13,10 @@ void save(const RunState &state, StateWriter &writer) {
 
 RunState load_run_state(const Spec &spec, std::span<const ArchiveEntry> archive, StateReader &reader) {
     const NetworkShape shape = shape_of(spec.actuation);
-    RunState state{
-        load_population(shape, spec.parameters, reader), make_search(spec.search, spec.parameters), {}};
+    const Parameters &p = spec.parameters;
+    RunState state{load_population(shape, p.neat.population, p.design.generations, reader),
+                   make_search(spec.search, p),
+                   {}};
     state.search->load(state.population, archive, reader);
     for (const Genome &genome : state.search->kept_genomes())
         check_member(genome, shape, state.population, reader);

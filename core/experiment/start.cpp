@@ -24,7 +24,7 @@ Population diverse_bodies(const Spec &spec, std::uint64_t seed, const Workers &w
                           const StopRequest &stop) {
     const NetworkShape shape = shape_of(spec.actuation);
     NoveltySearch search(spec.parameters);
-    Population population = initial_population(shape, spec.parameters, seed);
+    Population population = initial_population(shape, spec.parameters.neat, seed);
     const Living growing = [&](int, const Genome &genome) { return develop(genome, spec); };
     while (population.generation < spec.start->generations) {
         const std::vector<Life> lives = live_all(population, growing, workers, stop);
@@ -35,7 +35,7 @@ Population diverse_bodies(const Spec &spec, std::uint64_t seed, const Workers &w
 }
 
 /// These genomes as the first of a run.
-Population as_first(Population last, const Parameters &parameters) {
+Population as_first(Population last, const NeatParameters &parameters) {
     Population first;
     first.threshold = parameters.compatibility_threshold;
     first.innovations = std::move(last.innovations);
@@ -52,8 +52,8 @@ Population as_first(Population last, const Parameters &parameters) {
 
 Population first_population(const Spec &spec, std::uint64_t seed, const Workers &workers,
                             const StopRequest &stop) {
-    if (!spec.start) return initial_population(shape_of(spec.actuation), spec.parameters, seed);
-    return as_first(diverse_bodies(spec, seed_before(seed), workers, stop), spec.parameters);
+    if (!spec.start) return initial_population(shape_of(spec.actuation), spec.parameters.neat, seed);
+    return as_first(diverse_bodies(spec, seed_before(seed), workers, stop), spec.parameters.neat);
 }
 
 } // namespace planula

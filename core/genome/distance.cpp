@@ -17,7 +17,7 @@ struct Common {
     double difference = 0; // Σ |Δw|
 };
 
-double delta(int excess_links, int disjoint_links, const Common &common, const Parameters &parameters) {
+double delta(int excess_links, int disjoint_links, const Common &common, const NeatParameters &parameters) {
     const double mean_difference = common.links > 0 ? common.difference / common.links : 0;
     return parameters.excess_coefficient * excess_links + parameters.disjoint_coefficient * disjoint_links +
            parameters.weight_coefficient * mean_difference;
@@ -61,7 +61,7 @@ class CommonLinks {
 
 } // namespace
 
-double distance(const Genome &a, const Genome &b, const Parameters &parameters) {
+double distance(const Genome &a, const Genome &b, const NeatParameters &parameters) {
     int excess_links = 0, disjoint_links = 0;
     Common common;
     align(
@@ -74,7 +74,7 @@ double distance(const Genome &a, const Genome &b, const Parameters &parameters) 
     return delta(excess_links, disjoint_links, common, parameters);
 }
 
-std::vector<double> distance_sums(std::span<const Genome *const> genomes, const Parameters &parameters) {
+std::vector<double> distance_sums(std::span<const Genome *const> genomes, const NeatParameters &parameters) {
     std::vector<double> sums(genomes.size());
     CommonLinks links;
     std::vector<Common> common;
@@ -92,7 +92,7 @@ std::vector<double> distance_sums(std::span<const Genome *const> genomes, const 
     return sums;
 }
 
-bool is_clone(const Genome &genome, std::span<const Genome> others, const Parameters &parameters) {
+bool is_clone(const Genome &genome, std::span<const Genome> others, const NeatParameters &parameters) {
     return std::any_of(others.begin(), others.end(), [&](const Genome &other) {
         return other.links.size() == genome.links.size() &&
                distance(genome, other, parameters) < parameters.clone_distance;

@@ -13,13 +13,13 @@
 namespace planula {
 
 /// δ; symmetric, 0 from a genome to itself. Genomes without a common link differ by their links alone.
-double distance(const Genome &a, const Genome &b, const Parameters &parameters);
+double distance(const Genome &a, const Genome &b, const NeatParameters &parameters);
 
 /// Of each genome, Σ δ to all others from first to last: the bits of distance(), by what each link has in common
 /// with the same link of those before, several times as fast.
-std::vector<double> distance_sums(std::span<const Genome *const> genomes, const Parameters &parameters);
+std::vector<double> distance_sums(std::span<const Genome *const> genomes, const NeatParameters &parameters);
 
 /// Whether one of `others` has as many links as this genome and lies nearer than clone_distance.
-bool is_clone(const Genome &genome, std::span<const Genome> others, const Parameters &parameters);
+bool is_clone(const Genome &genome, std::span<const Genome> others, const NeatParameters &parameters);
 
 } // namespace planula

@@ -13,7 +13,7 @@ namespace planula {
 namespace {
 
 /// The weight that a genome gets in place of this one.
-double clamped(double weight, const Parameters &parameters) {
+double clamped(double weight, const NeatParameters &parameters) {
     return std::clamp(rounded_weight(weight, parameters.weight_step), -parameters.weight_limit,
                       parameters.weight_limit);
 }
@@ -56,7 +56,7 @@ std::optional<double> split_depth(const Genome &genome, const LinkGene &link, bo
 
 enum class Direction { forward, backward, loop };
 
-Direction draw_direction(const Parameters &parameters, bool recurrent, Stream &stream) {
+Direction draw_direction(const NeatParameters &parameters, bool recurrent, Stream &stream) {
     if (!recurrent || !stream.chance(parameters.recurrent_rate)) return Direction::forward;
     return stream.chance(parameters.loop_rate) ? Direction::loop : Direction::backward;
 }
@@ -89,11 +89,11 @@ std::vector<Degree> count_degrees(const Genome &genome) {
 
 } // namespace
 
-double new_weight(double scale, const Parameters &parameters, Stream &stream) {
+double new_weight(double scale, const NeatParameters &parameters, Stream &stream) {
     return clamped(scale * stream.triangular(), parameters);
 }
 
-bool mutate_weights(const Parameters &parameters, Stream &stream, Genome &genome) {
+bool mutate_weights(const NeatParameters &parameters, Stream &stream, Genome &genome) {
     if (genome.links.empty()) return false;
     const bool severe = stream.chance(parameters.weight_severe_rate);
     for (auto &link : genome.links)
@@ -103,7 +103,7 @@ bool mutate_weights(const Parameters &parameters, Stream &stream, Genome &genome
     return true;
 }
 
-bool add_node(const Parameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
+bool add_node(const NeatParameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
               Genome &genome) {
     if (genome.links.empty()) return false;
     for (int tries = 0; tries < parameters.split_tries; ++tries) {
@@ -125,7 +125,7 @@ bool add_node(const Parameters &parameters, bool recurrent, Innovations &innovat
     return false;
 }
 
-bool add_link(const Parameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
+bool add_link(const NeatParameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
               Genome &genome) {
     const Direction direction = draw_direction(parameters, recurrent, stream);
     for (int tries = 0; tries < parameters.link_tries; ++tries) {
@@ -142,7 +142,7 @@ bool add_link(const Parameters &parameters, bool recurrent, Innovations &innovat
     return false;
 }
 
-bool remove_link(const Parameters &parameters, Stream &stream, Genome &genome) {
+bool remove_link(const NeatParameters &parameters, Stream &stream, Genome &genome) {
     if (genome.links.empty()) return false;
     for (int tries = 0; tries < parameters.link_tries; ++tries) {
         // The newest link is never drawn (MN).
@@ -156,7 +156,7 @@ bool remove_link(const Parameters &parameters, Stream &stream, Genome &genome) {
     return false;
 }
 
-bool mutate(const Parameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
+bool mutate(const NeatParameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
             Genome &genome) {
     // The operators share the range 0 … end of the draw in proportion to their weights.
     const double node_end = parameters.add_node_rate;

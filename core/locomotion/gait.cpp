@@ -13,7 +13,8 @@ namespace planula {
 std::unique_ptr<Gait> make_gait(Actuation actuation, const Network &network, const Body &body,
                                 const Tissue &tissue, const Parameters &parameters) {
     if (actuation == Actuation::oscillator)
-        return std::make_unique<Oscillators>(read_oscillators(network, tissue, parameters), parameters);
+        return std::make_unique<Oscillators>(read_oscillators(network, tissue, parameters.gait),
+                                             parameters.gait);
     return std::make_unique<GrnMuscles>(network, body, tissue, parameters);
 }
 
@@ -45,7 +46,7 @@ std::unique_ptr<Gait> hold(std::unique_ptr<Gait> gait, int from) {
     return std::make_unique<HeldGait>(std::move(gait), from);
 }
 
-double ramp(int t, const Parameters &parameters) {
+double ramp(int t, const GaitParameters &parameters) {
     return std::min(1.0, static_cast<double>(t) / parameters.ramp_steps);
 }
 

@@ -46,6 +46,6 @@ std::unique_ptr<Gait> hold(std::unique_ptr<Gait> gait, int from);
 inline double elongation(double range, double ramp, double a) { return ramp * range * a / 2; }
 
 /// min(1, t / ramp_steps): the amplitude rises at the start (§2.5).
-double ramp(int t, const Parameters &parameters);
+double ramp(int t, const GaitParameters &parameters);
 
 } // namespace planula

@@ -23,16 +23,16 @@ void GrnMuscles::sense(std::span<const Vec2d> places) {
 
 void GrnMuscles::read_inputs(double time) {
     for (int cell = 0; cell < tissue_.activations.cells(); ++cell) {
-        const auto inputs = planula::sense(places_[cell], 0, time, parameters_);
+        const auto inputs = planula::sense(places_[cell], 0, time, parameters_.network);
         for (int node = 0; node < input::count; ++node) tissue_.activations.at(cell, node) = inputs[node];
     }
 }
 
 void GrnMuscles::signals(int t, std::span<double> signal) {
     // The last interval ends without a further update.
-    const int interval = parameters_.update_interval;
-    if (t % interval == 0 && t < parameters_.locomotion_steps) update(t);
-    const int last = std::min(t, parameters_.locomotion_steps - 1) / interval * interval;
+    const int interval = parameters_.gait.update_interval;
+    if (t % interval == 0 && t < parameters_.gait.locomotion_steps) update(t);
+    const int last = std::min(t, parameters_.gait.locomotion_steps - 1) / interval * interval;
 
     // Eq. (2): a = s_prev + (t − t_u)(s_new − s_prev) / 50.
     const double share = static_cast<double>(t - last) / interval;
@@ -56,8 +56,8 @@ void GrnMuscles::update(int t) {
     if (may_rest) before_ = activations;
 
     if (inputs_change()) {
-        const bool rises = parameters_.gait_time == GaitTime::rising;
-        read_inputs(rises ? 1 + static_cast<double>(t) / parameters_.development_steps : 1);
+        const bool rises = parameters_.gait.gait_time == GaitTime::rising;
+        read_inputs(rises ? 1 + static_cast<double>(t) / parameters_.development.development_steps : 1);
     }
     // All cells read the morphogens of the update before.
     const int cells = activations.cells();

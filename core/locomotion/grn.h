@@ -17,14 +17,14 @@ namespace planula {
 class GrnMuscles : public Gait {
   public:
     GrnMuscles(const Network &network, const Body &body, const Tissue &tissue, const Parameters &parameters);
-    bool senses() const override { return parameters_.gait_place == GaitPlace::present; }
+    bool senses() const override { return parameters_.gait.gait_place == GaitPlace::present; }
     void sense(std::span<const Vec2d> places) override;
     void signals(int t, std::span<double> signal) override;
     double activity() const override;
     bool is_sound() const override { return sound_; }
 
   private:
-    bool inputs_change() const { return senses() || parameters_.gait_time == GaitTime::rising; }
+    bool inputs_change() const { return senses() || parameters_.gait.gait_time == GaitTime::rising; }
     void read_inputs(double time);
     void update(int t);
 

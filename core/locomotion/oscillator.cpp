@@ -5,7 +5,8 @@
 
 namespace planula {
 
-std::vector<Oscillator> read_oscillators(const Network &network, const Tissue &tissue, const Parameters &p) {
+std::vector<Oscillator> read_oscillators(const Network &network, const Tissue &tissue,
+                                         const GaitParameters &p) {
     std::vector<Oscillator> oscillators;
     for (int cell = 0; cell < static_cast<int>(tissue.morphogens.size()); ++cell) {
         const auto output_of = [&](output::Channel channel) {
@@ -18,7 +19,7 @@ std::vector<Oscillator> read_oscillators(const Network &network, const Tissue &t
     return oscillators;
 }
 
-Oscillators::Oscillators(std::span<const Oscillator> oscillators, const Parameters &parameters) {
+Oscillators::Oscillators(std::span<const Oscillator> oscillators, const GaitParameters &parameters) {
     for (const auto &[period, phase] : oscillators) {
         const double turn = 2 * math::pi * parameters.knot_interval / period;
         phasors_.push_back({math::sin(phase), math::cos(phase), math::sin(turn), math::cos(turn)});

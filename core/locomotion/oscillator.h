@@ -16,12 +16,12 @@ struct Oscillator {
 
 /// T = period_shortest … period_longest over the output's [-1, 1], φ = π · output.
 std::vector<Oscillator> read_oscillators(const Network &network, const Tissue &tissue,
-                                         const Parameters &parameters);
+                                         const GaitParameters &parameters);
 
 /// sin(2πt/T + φ) at the knots, by turning each phase from knot to knot.
 class Oscillators : public Gait {
   public:
-    Oscillators(std::span<const Oscillator> oscillators, const Parameters &parameters);
+    Oscillators(std::span<const Oscillator> oscillators, const GaitParameters &parameters);
     void signals(int t, std::span<double> signal) override;
 
   private:

@@ -12,7 +12,7 @@ namespace planula {
 namespace {
 
 /// Muscles off until all nodes have been slow for settle_window steps in a row (§2.5).
-Outcome settle(const Parameters &p, Engine &engine, int &steps) {
+Outcome settle(const SettlingParameters &p, Engine &engine, int &steps) {
     int calm = 0;
     for (steps = 0; steps < p.settle_limit && calm < p.settle_window; ++steps) {
         const Motion motion = engine.step(p.settle_damping);
@@ -25,7 +25,7 @@ Outcome settle(const Parameters &p, Engine &engine, int &steps) {
 /// The cells' muscles at knots, handed to the engine one knot ahead.
 class Muscles {
   public:
-    Muscles(const Parameters &parameters, double range, int cells, Gait &gait, const Engine &engine)
+    Muscles(const GaitParameters &parameters, double range, int cells, Gait &gait, const Engine &engine)
         : parameters_(parameters), range_(range), gait_(gait), from_(cells), to_(cells), now_(cells),
           elongations_(cells), changes_(cells) {
         read(0, engine);
@@ -56,7 +56,7 @@ class Muscles {
         gait_.signals(t, to_);
     }
 
-    const Parameters &parameters_;
+    const GaitParameters &parameters_;
     double range_;
     Gait &gait_;
     std::vector<double> from_, to_, now_, elongations_, changes_; // per cell
@@ -64,13 +64,13 @@ class Muscles {
 
 } // namespace
 
-Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range, Gait &gait,
-               Engine &engine, const MoveWatch &watch) {
-    const Parameters &p = model.parameters;
+Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
+               const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch) {
+    const GaitParameters &p = parameters.gait;
     Trial trial;
     engine.load(model, environment);
     if (environment.gravity > 0) {
-        trial.outcome = settle(p, engine, trial.settle_steps);
+        trial.outcome = settle(parameters.settling, engine, trial.settle_steps);
         if (trial.outcome != Outcome::viable) return trial;
     }
     trial.rest = centre_of_mass(engine.positions());

@@ -26,8 +26,9 @@ struct Trial {
 using MoveWatch =
     std::function<void(int step, std::span<const Vec2d> positions, std::span<const double> signal)>;
 
-/// Loads the body into the engine, lets it settle if there is gravity, and moves it for locomotion_steps.
-Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range, Gait &gait,
-               Engine &engine, const MoveWatch &watch = {});
+/// Loads the body into the engine, lets it settle if there is gravity, and moves it for locomotion_steps. Of the
+/// parameters it reads those of settling and gait.
+Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
+               const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch = {});
 
 } // namespace planula

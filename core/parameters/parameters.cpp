@@ -44,7 +44,8 @@ ParameterRow choice_row(std::string_view section, std::string_view name, int sta
 std::vector<ParameterRow> make_rows() {
     std::vector<ParameterRow> rows;
     std::string_view section;
-#define SECTION(title) section = title;
+#define SECTION(Type, member, title) section = title;
+#define SECTION_END(member)
 #define PARAMETER(type, name, value, lowest, highest, unit, origin, meaning)                                 \
     rows.push_back(                                                                                          \
         {section, #name, unit, origin, meaning, std::is_same_v<type, int>, value, lowest, highest});
@@ -56,9 +57,12 @@ std::vector<ParameterRow> make_rows() {
 
 /// Calls use(field) with a reference to the field of that name; const or not as `parameters` is.
 template <class P, class Use> void with_field(P &parameters, std::string_view name, Use use) {
-#define SECTION(title)
+#define SECTION(Type, member, title)                                                                         \
+    {                                                                                                        \
+        auto &section = parameters.member;
+#define SECTION_END(member) }
 #define PARAMETER(type, field, ...)                                                                          \
-    if (name == #field) return use(parameters.field);
+    if (name == #field) return use(section.field);
 #define CHOICE(type, field, ...) PARAMETER(type, field)
 #include "parameters/parameters.inl"
 }
@@ -122,17 +126,22 @@ void set_parameter(Parameters &parameters, std::string_view name, double value) 
 }
 
 void check_consistency(const Parameters &p) {
-    require(p.decision_interval % p.neighbourhood_interval == 0,
+    require(p.development.decision_interval % p.development.neighbourhood_interval == 0,
             "decision_interval is a multiple of neighbourhood_interval");
-    require(p.update_interval % p.knot_interval == 0, "update_interval is a multiple of knot_interval");
-    require(p.locomotion_steps % p.knot_interval == 0, "locomotion_steps is a multiple of knot_interval");
-    require(p.period_shortest <= p.period_longest, "period_shortest is at most period_longest");
-    require(p.species_low <= p.species_high, "species_low is at most species_high");
-    require(p.compatibility_floor <= p.compatibility_threshold,
+    require(p.gait.update_interval % p.gait.knot_interval == 0,
+            "update_interval is a multiple of knot_interval");
+    require(p.gait.locomotion_steps % p.gait.knot_interval == 0,
+            "locomotion_steps is a multiple of knot_interval");
+    require(p.gait.period_shortest <= p.gait.period_longest, "period_shortest is at most period_longest");
+    require(p.neat.species_low <= p.neat.species_high, "species_low is at most species_high");
+    require(p.neat.compatibility_floor <= p.neat.compatibility_threshold,
             "compatibility_floor is at most compatibility_threshold");
-    require(p.archive_floor <= p.archive_threshold, "archive_floor is at most archive_threshold");
-    require(p.settle_window <= p.settle_limit, "settle_window is at most settle_limit");
-    require(p.add_node_rate + p.add_link_rate + p.remove_link_rate + p.mutate_weights_rate > 0,
+    require(p.novelty.archive_floor <= p.novelty.archive_threshold,
+            "archive_floor is at most archive_threshold");
+    require(p.settling.settle_window <= p.settling.settle_limit, "settle_window is at most settle_limit");
+    require(p.neat.add_node_rate + p.neat.add_link_rate + p.neat.remove_link_rate +
+                    p.neat.mutate_weights_rate >
+                0,
             "at least one mutation operator has a weight above 0");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the model as one constant value, and the ledger that describes each of them. parameters.inl
-// is the only home of a number; this room does not know what the numbers are used for.
+// is the only home of a number; this room does not know what the numbers are used for. Each section of the ledger is a
+// struct, so that a model or a law holds the numbers that it reads and no others. Water, land and judgement are read by
+// experiments alone (by name, in Lua); the core is given environments and evaluations.
 #pragma once
 
 #include <span>
@@ -10,15 +12,27 @@
 
 namespace planula {
 
-#define SECTION(title)
+#define SECTION(...)
+#define SECTION_END(...)
 #define PARAMETER(...)
 #define CHOICE(type, name, value, origin, meaning, ...) enum class type { __VA_ARGS__ };
 #include "parameters/parameters.inl"
 
-struct Parameters {
-#define SECTION(title)
+// struct DevelopmentParameters, struct NetworkParameters …: a section each.
+#define SECTION(Type, member, title) struct Type {
+#define SECTION_END(member)                                                                                  \
+    }                                                                                                        \
+    ;
 #define PARAMETER(type, name, value, lowest, highest, unit, origin, meaning) type name = value;
 #define CHOICE(type, name, value, origin, meaning, ...) type name = type::value;
+#include "parameters/parameters.inl"
+
+/// All of them: development, network, body …
+struct Parameters {
+#define SECTION(Type, member, title) Type member;
+#define SECTION_END(member)
+#define PARAMETER(...)
+#define CHOICE(...)
 #include "parameters/parameters.inl"
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Every number of the model, once. Read with these macros defined:
 //
-//   SECTION(title)
+//   SECTION(Type, member, title)   a group of parameters that is read together: Parameters::member, of this type
 //   PARAMETER(type, name, default, lowest, highest, unit, origin, meaning)
 //   CHOICE(type, name, default, origin, meaning, alternatives…)
+//   SECTION_END(member)
 //
 // A choice is one of several rules, by name: how a sentence of the paper that says too little is read. Its page of
 // paper/decisions/ quotes the sentence and gives the reason.
@@ -13,7 +14,7 @@
 // MultiNEAT at d361660, the revision named by the paper's own configuration file; "ours" = nothing public says,
 // and a page of paper/decisions/ gives the reason.
 
-SECTION("Development")
+SECTION(DevelopmentParameters, development, "Development")
 PARAMETER(double, cell_radius, 0.5, 0.1, 10, "cell", "unit", "radius of a cell; two cells in contact are twice this apart")
 PARAMETER(int, development_steps, 600, 30, 100000, "step", "§2.1", "length of development")
 PARAMETER(int, decision_interval, 30, 1, 100000, "step", "§2.1", "steps between two decisions of the control networks")
@@ -32,14 +33,16 @@ PARAMETER(double, division_jitter, 1e-3, 0, 0.1, "cell", "ours", "largest fixed 
 PARAMETER(int, cell_limit, 256, 2, 100000, "cells", "§2.4", "an embryo that reaches this size even once is stillborn")
 PARAMETER(int, birth_limit, 1024, 1, 1000000, "cells", "§2.4", "after so many cells created, zygote included, none divides")
 PARAMETER(int, minimum_cells, 8, 1, 100000, "cells", "Eq. 6", "a smaller body is not viable")
+SECTION_END(development)
 
-SECTION("Control network")
+SECTION(NetworkParameters, network, "Control network")
 PARAMETER(double, position_scale, 10, 0.01, 1e6, "cell", "ours", "the X and Y inputs are coordinates divided by this")
 PARAMETER(double, morphogen_distance, 10, 0, 1e6, "cell", "ours", "distance of the four maternal morphogen sources from the origin")
 PARAMETER(double, morphogen_decay, 10, 0.01, 1e6, "cell", "ours", "a maternal morphogen falls by 1/e over this length")
 PARAMETER(int, propagation_limit, 16, 1, 1000, "step", "MN", "a feed-forward network is propagated by its depth, at most this")
+SECTION_END(network)
 
-SECTION("Body")
+SECTION(BodyParameters, body, "Body")
 PARAMETER(double, spring_stiffness, 400, 0, 4000, "mass/t.u.²", "ours", "spring constant of the soft body")
 PARAMETER(double, spring_damping, 8, 0, 50, "mass/t.u.", "ours", "damping along each spring of the soft body")
 PARAMETER(double, pressure_stiffness, 2000, 0, 5000, "mass/t.u.²", "ours", "pressure of a triangle per relative loss of area")
@@ -47,22 +50,28 @@ PARAMETER(double, area_floor, 0.2, 1e-3, 10, "cell²", "ours", "smaller equilibr
 PARAMETER(double, contact_stiffness, 1600, 0, 4000, "mass/t.u.²", "ours", "stiffness of self-collision")
 PARAMETER(double, contact_radius, 0.35, 0, 1, "cell", "ours", "a cell and an outline link nearer than this push each other apart, unless they grew so")
 PARAMETER(double, node_speed_limit, 1, 0.01, 10, "cell/step", "ours", "a faster node means that the body has exploded")
+SECTION_END(body)
 
-SECTION("Water")
+SECTION(WaterParameters, water, "Water")
 PARAMETER(double, drag_normal, 1.0, 0, 100, "mass/cell²", "ours", "quadratic drag per length of outline across its motion")
 PARAMETER(double, drag_tangential, 0.1, 0, 100, "mass/cell²", "ours", "quadratic drag per length of outline along its motion")
 PARAMETER(double, actuation_range_aquatic, 0.40, 0, 0.9, "rest length", "§2.5", "largest change of a rest length when both cells agree")
+SECTION_END(water)
 
-SECTION("Land")
+SECTION(LandParameters, land, "Land")
 PARAMETER(double, gravity, 5, 0, 100, "cell/t.u.²", "ours", "downward acceleration")
 PARAMETER(double, friction, 0.8, 0, 100, "1", "ours", "Coulomb friction between nodes and ground")
 PARAMETER(double, actuation_range_terrestrial, 0.30, 0, 0.9, "rest length", "§2.5", "largest change of a rest length when both cells agree")
+SECTION_END(land)
+
+SECTION(SettlingParameters, settling, "Settling")
 PARAMETER(double, settle_speed, 0.05, 0, 100, "cell/t.u.", "ours", "a body at rest has all node speeds below this")
 PARAMETER(int, settle_window, 800, 1, 1000000, "step", "§2.5", "so long must a body stay at rest before it may move")
 PARAMETER(int, settle_limit, 6000, 1, 10000000, "step", "ours", "a body not at rest by then never settled")
 PARAMETER(double, settle_damping, 1.0, 0, 50, "1/t.u.", "ours", "extra damping of all motion while settling")
+SECTION_END(settling)
 
-SECTION("Gait")
+SECTION(GaitParameters, gait, "Gait")
 PARAMETER(int, locomotion_steps, 4000, 1, 10000000, "step", "§2.6.2", "length of locomotion")
 PARAMETER(int, ramp_steps, 200, 1, 1000000, "step", "§2.5", "the amplitude rises linearly over the first steps")
 PARAMETER(int, knot_interval, 10, 1, 10000, "step", "ours", "rest lengths are exact at these steps and linear between them")
@@ -72,15 +81,20 @@ PARAMETER(int, update_interval, 50, 1, 100000, "step", "§2.6.2", "steps between
 CHOICE(GaitTime, gait_time, held, "ours", "the time input of the networks in locomotion: held at 1, or rising as in development", held, rising)
 CHOICE(GaitPlace, gait_place, grown, "ours", "the place inputs of the networks in locomotion: where the cell was at the end of development, or where it is now", grown, present)
 PARAMETER(int, path_interval, 100, 1, 1000000, "step", "ours", "the path of the centre of mass is recorded this often")
+SECTION_END(gait)
 
-SECTION("Judgement")
+SECTION(JudgementParameters, judgement, "Judgement")
 PARAMETER(double, activity_bonus, 0.1, 0, 1000, "cell", "Eq. 4", "weight of the actuation bonus b_a")
 PARAMETER(double, birth_penalty, 0.1, 0, 1, "1", "Eq. 6", "factor of fitness for reaching the birth limit")
+SECTION_END(judgement)
 
-SECTION("Evolution")
+SECTION(DesignParameters, design, "Design")
 PARAMETER(int, seeds, 20, 1, 100000, "runs", "§3", "evolutionary runs of each setting")
-PARAMETER(int, population, 300, 2, 100000, "genomes", "§2.7.2", "size of a population")
 PARAMETER(int, generations, 2000, 1, 10000000, "generations", "§2.7.2", "generations evaluated in a run")
+SECTION_END(design)
+
+SECTION(NeatParameters, neat, "NEAT")
+PARAMETER(int, population, 300, 2, 100000, "genomes", "§2.7.2", "size of a population")
 PARAMETER(double, compatibility_threshold, 5.0, 0, 1e6, "1", "MN", "distance up to which two genomes share a species, at the start")
 PARAMETER(double, compatibility_floor, 0.2, 0, 1e6, "1", "MN", "the threshold never falls below this")
 PARAMETER(double, compatibility_step, 0.2, 0, 1e6, "1", "MN", "change of the threshold in a generation")
@@ -119,8 +133,9 @@ PARAMETER(int, operator_tries, 64, 1, 1000000, "draws", "MN", "draws of an opera
 PARAMETER(int, mate_tries, 32, 0, 1000000, "draws", "MN", "draws for a father who differs from the mother")
 PARAMETER(int, clone_tries, 40, 1, 1000000, "draws", "MN", "draws for a child that differs from its generation")
 PARAMETER(double, clone_distance, 1e-5, 0, 1, "1", "MN", "genomes nearer than this are identical")
+SECTION_END(neat)
 
-SECTION("Novelty search")
+SECTION(NoveltyParameters, novelty, "Novelty search")
 CHOICE(NoveltySpecies, novelty_species, equal, "ours", "what offspring are shared out by in novelty search: novelty alone, or with the factors of young and stagnating species", equal, aged)
 PARAMETER(int, novelty_neighbours, 15, 1, 100000, "individuals", "§2.7.2", "k of Eq. 7: nearest neighbours that novelty is measured by")
 PARAMETER(double, archive_threshold, 0.5, 0, 1e6, "cell", "MN", "novelty above which an individual enters the archive, at the start")
@@ -129,18 +144,22 @@ PARAMETER(int, archive_run, 8, 0, 1000000, "individuals", "§2.7.2", "after more
 PARAMETER(double, archive_raise, 1.1, 1, 1000, "1", "§2.7.2", "factor by which the archive's threshold rises")
 PARAMETER(int, archive_patience, 50, 1, 1000000, "generations", "§2.7.2", "after so many generations without an addition the threshold falls")
 PARAMETER(double, archive_lower, 0.9, 0, 1, "1", "§2.7.2", "factor by which the archive's threshold falls")
+SECTION_END(novelty)
 
-SECTION("MAP-Elites")
+SECTION(MapElitesParameters, map_elites, "MAP-Elites")
 PARAMETER(double, niche_width, 1, 1e-9, 1e9, "as the descriptor", "ours", "side of a niche of the map in every number of the descriptor")
+SECTION_END(map_elites)
 
-SECTION("Statistics")
+SECTION(StatisticsParameters, statistics, "Statistics")
 PARAMETER(double, confidence, 0.95, 0.01, 0.9999, "1", "Fig. 6", "coverage of bootstrap intervals")
 PARAMETER(int, bootstrap_resamples, 10000, 100, 10000000, "resamples", "ours", "resamples of a bootstrap interval")
 PARAMETER(double, exploit_bound, 0.10, 0, 1, "1", "ours", "relative change of displacement at half the time step above which a champion is flagged as an integration exploit")
 PARAMETER(double, unrest_bound, 1, 0, 100, "cell/t.u.", "ours", "a champion whose nodes move faster than this within its body while its muscles hold still is flagged as perpetual motion")
 PARAMETER(double, witness_nudge, 1e-4, 0, 0.1, "cell", "ours", "a witnessed champion's cells are also set down up to this far off their places")
 PARAMETER(int, witness_nudges, 4, 1, 1000, "lives", "ours", "so many different nudges tell whether a champion's gait is chaotic")
+SECTION_END(statistics)
 
 #undef SECTION
+#undef SECTION_END
 #undef PARAMETER
 #undef CHOICE

@@ -45,7 +45,8 @@ Vec2d placement(const Body &body, const Environment &environment) {
 
 } // namespace
 
-SoftBodyModel embody(const Body &body, const Environment &environment, const Parameters &parameters) {
+SoftBodyModel embody(const Body &body, const Environment &environment, const BodyParameters &parameters,
+                     double time_step) {
     SoftBodyModel model{.positions = body.positions,
                         .links = body.mesh.links,
                         .rest_lengths = body.rest_lengths,
@@ -53,7 +54,8 @@ SoftBodyModel embody(const Body &body, const Environment &environment, const Par
                         .areas = body.areas,
                         .outline = body.outline,
                         .contact_cells = solid_outline_cells(body.outline),
-                        .parameters = parameters};
+                        .body = parameters,
+                        .time_step = time_step};
     model.masked = contact_masks(body, model.contact_cells, parameters.contact_radius);
     const Vec2d shift = placement(body, environment);
     for (Vec2d &position : model.positions) position += shift;

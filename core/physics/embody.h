@@ -10,6 +10,7 @@ namespace planula {
 
 /// Places the body with its developed orientation: with ground, its centre of mass at x = 0 and its lowest
 /// node on the ground; without, its centre of mass at the origin.
-SoftBodyModel embody(const Body &body, const Environment &environment, const Parameters &parameters);
+SoftBodyModel embody(const Body &body, const Environment &environment, const BodyParameters &parameters,
+                     double time_step);
 
 } // namespace planula

@@ -11,7 +11,7 @@ namespace planula {
 template <class T> void Forces<T>::load(const SoftBodyModel &model, const Environment &environment) {
     model_ = &model, environment_ = &environment;
     pressure_.clear();
-    const Parameters &p = model.parameters;
+    const BodyParameters &p = model.body;
     for (const double area : model.areas)
         pressure_.push_back(pressure_of<T>(area, p.pressure_stiffness, p.area_floor));
     contact_.load(model);
@@ -30,8 +30,8 @@ void Forces<T>::compute(std::span<const double> rest_lengths, std::span<const Ve
 template <class T>
 void Forces<T>::add_springs(std::span<const double> rest_lengths, std::span<const Vec2<T>> position,
                             std::span<const Vec2<T>> velocity, std::span<Vec2<T>> forces) const {
-    const auto stiffness = static_cast<T>(model_->parameters.spring_stiffness);
-    const auto damping = static_cast<T>(model_->parameters.spring_damping);
+    const auto stiffness = static_cast<T>(model_->body.spring_stiffness);
+    const auto damping = static_cast<T>(model_->body.spring_damping);
     for (std::size_t i = 0; i < model_->links.size(); ++i) {
         const auto [a, b] = model_->links[i];
         const auto spring = spring_to(position[b] - position[a], velocity[b] - velocity[a]);

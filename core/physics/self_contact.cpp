@@ -8,7 +8,7 @@
 namespace planula {
 
 template <class T> Touch<T> touch_of(const SoftBodyModel &model, int cell, int link, Points<T> positions) {
-    const Parameters &p = model.parameters;
+    const BodyParameters &p = model.body;
     const int a = model.outline[link].a, b = model.outline[link].b;
     const auto foot = foot_on_segment(positions[cell], positions[a], positions[b]);
     const Vec2<T> force = contact_force(positions[cell] - foot.point, static_cast<T>(p.contact_stiffness),
@@ -23,7 +23,7 @@ template Touch<double> touch_of(const SoftBodyModel &, int, int, Points<double>)
 
 template <class T> void SelfContact<T>::load(const SoftBodyModel &model) {
     model_ = &model;
-    reach_ = static_cast<T>(model.parameters.contact_radius);
+    reach_ = static_cast<T>(model.body.contact_radius);
     listed_at_.clear();
 }
 

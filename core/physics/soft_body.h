@@ -20,7 +20,8 @@ struct SoftBodyModel {
     std::vector<int> contact_cells; // ascending
     std::vector<char> masked;       // contact_cells × outline, a row per contact cell
 
-    Parameters parameters;
+    BodyParameters body;  // the numbers of the laws
+    double time_step = 0; // length of a step, t.u.
 
     int nodes() const { return static_cast<int>(positions.size()); }
     bool is_masked(std::size_t contact_cell, std::size_t outline_link) const {

@@ -210,7 +210,7 @@ RunState read_run_state(const RecordedRun &run, const Spec &setting, int generat
     const auto archive = kept->archive > 0 ? read_archive(run.folder, static_cast<std::size_t>(kept->archive))
                                            : std::vector<ArchiveEntry>();
     Spec spec = setting;
-    spec.parameters.generations = run.generations;
+    spec.parameters.design.generations = run.generations;
     try {
         StateReader reader(kept->state);
         RunState state = load_run_state(spec, archive, reader);

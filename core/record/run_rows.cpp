@@ -20,7 +20,7 @@ constexpr double cyclic_late = 0.1; // of distance and of muscle signals, in the
 double late_share(const Life &life, const Parameters &parameters) {
     const double displacement = life.displacement();
     const std::size_t sample =
-        static_cast<std::size_t>(parameters.locomotion_steps) * 3 / 4 / parameters.path_interval;
+        static_cast<std::size_t>(parameters.gait.locomotion_steps) * 3 / 4 / parameters.gait.path_interval;
     if (displacement == 0 || sample >= life.path.size()) return 0;
     return length(life.end - life.path[sample]) / displacement;
 }
@@ -124,7 +124,7 @@ GenerationRow generation_row(const Generation &g, const Parameters &parameters) 
         *mean /= static_cast<double>(g.lives.size());
     std::vector<ShapeDistribution> shapes;
     for (const Life &life : g.lives) {
-        count(life, parameters.birth_limit, row);
+        count(life, parameters.development.birth_limit, row);
         if (life.outcome == Outcome::viable) shapes.push_back(life.shape);
     }
     row.shape_diversity = shape_diversity(shapes);

@@ -71,13 +71,13 @@ RunWriter::~RunWriter() = default;
 /// Finds out what is to do, and opens the tables for it.
 void RunWriter::open() {
     const int done = complete_generations(folder_);
-    if (done >= spec_.parameters.generations) {
+    if (done >= spec_.parameters.design.generations) {
         // What a process that was killed at the very end left behind.
         if (!is_becoming_longer(folder_, done)) remove_journals(folder_);
         return;
     }
     const Found found = find_state(done);
-    generations_ = spec_.parameters.generations;
+    generations_ = spec_.parameters.design.generations;
     if (found.kept) generations_ = std::max(generations_, found.kept->generation + 1);
     resume(found);
 }
@@ -145,7 +145,7 @@ void RunWriter::restore(const Found &found) {
     const auto archive = found.tables == JournalStart::From::target ? read_archive(folder_, entries)
                                                                     : read_archive_journal(folder_, entries);
     Spec longest = spec_;
-    longest.parameters.generations = generations_;
+    longest.parameters.design.generations = generations_;
     about(found.path, [&] {
         StateReader state(kept.state);
         state_ = load_run_state(longest, archive, state);
@@ -234,8 +234,8 @@ void RunWriter::write_manifest(const std::vector<std::pair<std::string, std::str
     manifest.add("setting", spec_.name);
     manifest.add("seed", static_cast<std::int64_t>(seed_));
     manifest.add("generations", generations_);
-    manifest.add("population", spec_.parameters.population);
-    manifest.add("evaluations", std::int64_t{generations_} * spec_.parameters.population);
+    manifest.add("population", spec_.parameters.neat.population);
+    manifest.add("evaluations", std::int64_t{generations_} * spec_.parameters.neat.population);
     manifest.add("record", name_of(spec_.record));
     manifest.add("link", link_);
     const auto add_file = [&](const std::filesystem::path &path) {

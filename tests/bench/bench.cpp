@@ -29,7 +29,7 @@ namespace {
 
 /// One iteration is one step of a lattice on which a wave runs.
 void physics_step(benchmark::State &state, Engine &engine, const World &world, Size size) {
-    Swimmer swimmer(engine, embody(lattice(size.columns, size.rows), world.environment, {}),
+    Swimmer swimmer(engine, soft_body(lattice(size.columns, size.rows), world.environment, {}),
                     world.environment);
     for (auto _ : state) benchmark::DoNotOptimize(swimmer.step());
 }
@@ -58,7 +58,7 @@ void novelty_query(benchmark::State &state, int archived) {
 
 void embryo(benchmark::State &state, Actuation actuation, const Genome &genome) {
     const Parameters parameters = specimens::turning();
-    const Network network = express(genome, parameters.propagation_limit);
+    const Network network = express(genome, parameters.network.propagation_limit);
     int cells = 0;
     for (auto _ : state) cells = grow(network, actuation, parameters).cells;
     state.counters["cells"] = cells;

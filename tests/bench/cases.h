@@ -36,7 +36,7 @@ inline Conditions conditions(Actuation actuation, const World &world) {
     result.actuation = actuation;
     result.environment = world.environment;
     result.actuation_range =
-        world.environment.has_ground ? p.actuation_range_terrestrial : p.actuation_range_aquatic;
+        world.environment.has_ground ? p.land.actuation_range_terrestrial : p.water.actuation_range_aquatic;
     return result;
 }
 
@@ -58,7 +58,7 @@ class Swimmer {
         engine.load(model_, environment);
     }
     Motion step() {
-        const auto interval = static_cast<std::size_t>(model_.parameters.knot_interval);
+        const auto interval = static_cast<std::size_t>(GaitParameters().knot_interval);
         if (steps_ % interval == 0)
             engine_.actuate(knots_[steps_ / interval % knots_.size()], static_cast<int>(interval));
         ++steps_;

@@ -28,7 +28,7 @@ using Piece = std::pair<std::string, std::function<double()>>;
 /// Steps of 100 cells; with contact, of a body whose arms touch.
 double steps(const native::Kernel &kernel, const World &world, const Body &body) {
     NativeEngine engine(kernel);
-    Swimmer swimmer(engine, embody(body, world.environment, {}), world.environment);
+    Swimmer swimmer(engine, specimens::soft_body(body, world.environment), world.environment);
     double sum = 0;
     for (int i = 0; i < 2000; ++i) sum += swimmer.step().fastest;
     return sum;
@@ -45,7 +45,7 @@ double network_updates(Actuation actuation) {
 
 double embryo(Actuation actuation) {
     const Parameters parameters = specimens::turning();
-    const Network network = express(specimens::disc_genome(actuation), parameters.propagation_limit);
+    const Network network = express(specimens::disc_genome(actuation), parameters.network.propagation_limit);
     return grow(network, actuation, parameters).cells;
 }
 

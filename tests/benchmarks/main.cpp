@@ -66,7 +66,7 @@ std::string summary_of(const std::vector<double> &values, double (*statistic)(st
 }
 
 void print(const Row &row, int first, int last) {
-    const int population = row.settings.parameters.population, seeds = last - first + 1;
+    const int population = row.settings.parameters.neat.population, seeds = last - first + 1;
     const int generations = (row.evaluations + population - 1) / population;
     std::vector<Solution> solutions(static_cast<std::size_t>(seeds));
     parallel_for(seeds, hardware_threads(), [&](int run) {

@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(novelty_leaves_a_trap_long_before_fitness_does) {
     trap.walls.push_back({{40, 30}, {120, 30}});
     const Task task = maze_task(trap);
     Parameters parameters;
-    parameters.population = 60;
+    parameters.neat.population = 60;
     std::int64_t by_fitness = 0, by_novelty = 0;
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         by_fitness += solve(task, "neat", parameters, seed, 20).evaluations;

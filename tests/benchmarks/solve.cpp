@@ -8,7 +8,7 @@ namespace planula::benchmark {
 Solution solve(const Task &task, std::string_view search, const Parameters &parameters, std::uint64_t seed,
                int generations) {
     const auto searching = make_search(search, parameters);
-    Population population = initial_population(task.shape, parameters, seed);
+    Population population = initial_population(task.shape, parameters.neat, seed);
     std::int64_t evaluations = 0;
     double examined = 0; // fitness of the last that was
     for (int generation = 1;; ++generation) {

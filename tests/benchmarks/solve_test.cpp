@@ -17,8 +17,8 @@ namespace {
 
 Parameters few() {
     Parameters parameters;
-    parameters.population = 20;
-    parameters.start_weight = parameters.weight_power = 1;
+    parameters.neat.population = 20;
+    parameters.neat.start_weight = parameters.neat.weight_power = 1;
     return parameters;
 }
 

@@ -36,7 +36,7 @@ struct Task {
 class Controller {
   public:
     Controller(const Genome &genome, bool recurrent)
-        : network_(express(genome, Parameters().propagation_limit)), activations_(network_.nodes, 1),
+        : network_(express(genome, Parameters().network.propagation_limit)), activations_(network_.nodes, 1),
           recurrent_(recurrent) {}
 
     void operator()(std::span<const double> inputs, std::span<double> outputs) {

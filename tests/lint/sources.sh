@@ -59,7 +59,7 @@ found 'a parameter of ours that no page of paper/decisions names' < <(
 # The article's rules are the whole model: every parameter but those of statistics, and every alternative of a choice.
 rules=paper/sections/rules.tex
 table=core/parameters/parameters.inl
-model=$(sed '/^SECTION("Statistics")/,/^SECTION/d' "$table" 2> /dev/null | sed -nE 's/^(PARAMETER|CHOICE)\([A-Za-z]+, ([a-z0-9_]+),.*/\2/p' || true)
+model=$(sed '/^SECTION(StatisticsParameters,/,/^SECTION_END/d' "$table" 2> /dev/null | sed -nE 's/^(PARAMETER|CHOICE)\([A-Za-z]+, ([a-z0-9_]+),.*/\2/p' || true)
 found 'a parameter of the model that no rule of the article uses' < <(
     for name in $model; do
         grep -qE "[\\](parameter|percent|choice)\{$name\}" "$rules" || grep -nE "^(PARAMETER|CHOICE)\([A-Za-z]+, $name," /dev/null "$table"

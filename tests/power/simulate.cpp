@@ -61,8 +61,8 @@ Analysis analysis_of(const Judged &judged) {
     Analysis analysis = fake_analysis();
     analysis.resamples = draws;
     analysis.interval_runs = runs_each + 1; // no verdict rests on an interval
-    analysis.design.seeds = runs_each, analysis.design.population = 1;
-    analysis.design.generations = judged.generations;
+    analysis.design.design.seeds = runs_each, analysis.design.neat.population = 1;
+    analysis.design.design.generations = judged.generations;
     return analysis;
 }
 

@@ -44,22 +44,22 @@ BOOST_AUTO_TEST_CASE(a_statement_is_completed_by_the_paper) {
     BOOST_TEST(spec.environment.drag_normal == 8);
     BOOST_TEST(spec.environment.drag_tangential == 4);
     BOOST_TEST(!spec.environment.has_ground);
-    BOOST_TEST(spec.actuation_range == Parameters{}.actuation_range_aquatic);
-    BOOST_TEST(spec.parameters.population == Parameters{}.population);
+    BOOST_TEST(spec.actuation_range == Parameters{}.water.actuation_range_aquatic);
+    BOOST_TEST(spec.parameters.neat.population == Parameters{}.neat.population);
 }
 
 BOOST_AUTO_TEST_CASE(a_choice_is_stated_by_its_name_and_read_back_as_one) {
     const char *text = "return paper.experiment { name = 'x', parameters = { division_turn = 'daughter', "
-                       "gait_time = planula.parameters.gait_time } }";
+                       "gait_time = planula.parameters.gait.gait_time } }";
     const Parameters p = experiment(text).settings[0].parameters;
-    BOOST_TEST((p.division_turn == DivisionTurn::daughter));
-    BOOST_TEST((p.gait_time == Parameters{}.gait_time));
+    BOOST_TEST((p.development.division_turn == DivisionTurn::daughter));
+    BOOST_TEST((p.gait.gait_time == Parameters{}.gait.gait_time));
 }
 
 BOOST_AUTO_TEST_CASE(a_change_of_one_drag_keeps_the_other) {
     const World world = environment_of("paper.aquatic { drag = { normal = 3 } }");
     BOOST_TEST(world.environment.drag_normal == 3);
-    BOOST_TEST(world.environment.drag_tangential == Parameters{}.drag_tangential);
+    BOOST_TEST(world.environment.drag_tangential == Parameters{}.water.drag_tangential);
 }
 
 BOOST_AUTO_TEST_CASE(a_changed_parameter_changes_the_world_that_names_it) {
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_changed_parameter_changes_the_world_that_names_it) {
                        "= { gravity = 2 } }";
     BOOST_TEST(experiment(text).settings[0].environment.gravity == 2);
     BOOST_TEST(experiment(text, {{"gravity", 3}}).settings[0].environment.gravity == 3);
-    BOOST_TEST(experiment(text).settings[0].environment.friction == Parameters{}.friction);
+    BOOST_TEST(experiment(text).settings[0].environment.friction == Parameters{}.land.friction);
 }
 
 BOOST_AUTO_TEST_CASE(grounds_are_flat_none_points_or_a_function) {
@@ -163,9 +163,10 @@ BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_told_with_the_rule) {
                               "test.lua:3: population = 1 is outside 2"));
     BOOST_TEST(test::contains(refused_body("parameters = { seeds = 1.5 }"), "must be a whole number"));
     BOOST_TEST(test::contains(refused_body("parameters = { seeds = 'x' }"),
-                              "parameters.seeds must be a number, not a text"));
-    BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 2 }"),
-                              "test.lua:3: parameters.division_turn must be a text, not a number"));
+                              "parameters.design.seeds must be a number, not a text"));
+    BOOST_TEST(
+        test::contains(refused_body("parameters = { division_turn = 2 }"),
+                       "test.lua:3: parameters.development.division_turn must be a text, not a number"));
     BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 'non' }"),
                               "division_turn = non must be one of 'nobody', 'daughter', 'both'"));
     BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = 'gait_time' } }"),
@@ -242,11 +243,11 @@ BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_d
         experiment("return paper.design { name = 'x', parameters = { seeds = 3, population = 10 },\n"
                    "settings = { { name = 'a' }, { name = 'b', parameters = { population = 12 } } } }",
                    {{"generations", 7}});
-    BOOST_TEST(e.settings[0].parameters.population == 10);
-    BOOST_TEST(e.settings[1].parameters.population == 12);
-    BOOST_TEST(e.settings[1].parameters.seeds == 3);
-    BOOST_TEST(e.settings[1].parameters.generations == 7);
-    BOOST_TEST(e.analysis.design.generations == Parameters{}.generations);
+    BOOST_TEST(e.settings[0].parameters.neat.population == 10);
+    BOOST_TEST(e.settings[1].parameters.neat.population == 12);
+    BOOST_TEST(e.settings[1].parameters.design.seeds == 3);
+    BOOST_TEST(e.settings[1].parameters.design.generations == 7);
+    BOOST_TEST(e.analysis.design.design.generations == Parameters{}.design.generations);
 }
 
 BOOST_AUTO_TEST_CASE(how_much_a_run_records_is_stated_for_all_settings_or_for_one) {
@@ -315,9 +316,9 @@ BOOST_AUTO_TEST_CASE(every_search_is_one_line) {
 
 BOOST_AUTO_TEST_CASE(a_start_is_generations_and_the_behaviour_of_bodies) {
     BOOST_TEST(!experiment("return paper.experiment { name = 'x' }").settings[0].start.has_value());
-    const Experiment e =
-        experiment("return paper.experiment { name = 'x', start = { generations = 7, behaviour = "
-                   "function(life, parameters) return { life.cells, parameters.cell_limit } end } }");
+    const Experiment e = experiment(
+        "return paper.experiment { name = 'x', start = { generations = 7, behaviour = "
+        "function(life, parameters) return { life.cells, parameters.development.cell_limit } end } }");
     const Spec &spec = e.settings[0];
     BOOST_REQUIRE(spec.start.has_value());
     BOOST_TEST(spec.start->generations == 7);
@@ -428,7 +429,7 @@ BOOST_AUTO_TEST_CASE(the_replication_states_the_papers_eight_settings) {
         BOOST_TEST(spec.search == (novelty ? "novelty" : "neat"), spec.name);
         BOOST_TEST(spec.environment.has_ground == !water, spec.name);
         BOOST_TEST(spec.environment.has_fluid() == water, spec.name);
-        BOOST_TEST(spec.environment.gravity == (water ? 0 : Parameters{}.gravity), spec.name);
+        BOOST_TEST(spec.environment.gravity == (water ? 0 : Parameters{}.land.gravity), spec.name);
         BOOST_TEST(spec.actuation_range == (water ? 0.4 : 0.3), spec.name);
         for (const ParameterRow &row : parameter_rows())
             BOOST_TEST(parameter(spec.parameters, row.name) == row.standard, row.name);

@@ -62,8 +62,9 @@ inline Conditions short_life(int combination) {
     const bool on_land = combination % 2 == 1;
     c.actuation = combination / 2 % 2 == 0 ? Actuation::oscillator : Actuation::grn;
     c.environment = on_land ? land() : water();
-    c.actuation_range = on_land ? p.actuation_range_terrestrial : p.actuation_range_aquatic;
-    p.locomotion_steps = 200, p.ramp_steps = 50, p.settle_limit = 800, p.settle_window = 50;
+    c.actuation_range = on_land ? p.land.actuation_range_terrestrial : p.water.actuation_range_aquatic;
+    p.gait.locomotion_steps = 200, p.gait.ramp_steps = 50, p.settling.settle_limit = 800,
+    p.settling.settle_window = 50;
     return c;
 }
 
@@ -77,11 +78,13 @@ inline std::string flaw(const Life &life, const Parameters &p) {
     if (!std::isfinite(life.elongation) || life.elongation < 0) return "an elongation that is none";
     if (!(life.activity >= 0 && life.activity <= 1)) return "an activity outside [0, 1]";
     if (!(life.late_actuation >= 0 && life.late_actuation <= 1)) return "a late actuation outside [0, 1]";
-    if (life.births < 1 || life.births > p.birth_limit) return "a count of births beyond its limit";
-    if (life.cells < 0 || life.largest < life.cells || life.largest > p.cell_limit)
+    if (life.births < 1 || life.births > p.development.birth_limit)
+        return "a count of births beyond its limit";
+    if (life.cells < 0 || life.largest < life.cells || life.largest > p.development.cell_limit)
         return "a count of cells beyond its limit";
     const bool is_viable = life.outcome == Outcome::viable;
-    if (is_viable && (life.cells < p.minimum_cells || life.largest >= p.cell_limit)) return "a viable misfit";
+    if (is_viable && (life.cells < p.development.minimum_cells || life.largest >= p.development.cell_limit))
+        return "a viable misfit";
     if (!is_viable && (life.displacement() != 0 || !life.path.empty())) return "a journey without a life";
     return "";
 }

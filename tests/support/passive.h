@@ -21,15 +21,15 @@ struct Rest {
 /// The body of random genome `number`, dropped on the ground of the paper; none if it does not grow one.
 inline std::optional<Rest> drop(Actuation actuation, std::uint64_t number, int limit) {
     Parameters p;
-    const Network network = express(random_genome(actuation, number), p.propagation_limit);
+    const Network network = express(random_genome(actuation, number), p.network.propagation_limit);
     const Growth growth = grow(network, actuation, p);
     if (growth.outcome != Outcome::viable) return std::nullopt;
-    p.settle_limit = limit;
-    p.locomotion_steps = 0;
-    const SoftBodyModel model = embody(growth.body, land(), p);
+    p.settling.settle_limit = limit;
+    p.gait.locomotion_steps = 0;
+    const SoftBodyModel model = soft_body(growth.body, land(), p);
     const auto gait = make_gait(actuation, network, growth.body, growth.tissue, p);
     const auto engine = make_engine("native");
-    const Trial trial = locomote(model, land(), 0, *gait, *engine);
+    const Trial trial = locomote(model, land(), 0, p, *gait, *engine);
     return Rest{trial.settle_steps, trial.outcome != Outcome::viable};
 }
 

@@ -8,6 +8,7 @@
 #include "cell/channels.h"
 #include "genome/genome.h"
 #include "parameters/parameters.h"
+#include "physics/embody.h"
 #include "physics/environment.h"
 
 #include <algorithm>
@@ -38,9 +39,9 @@ inline void wire(Genome &genome, input::Channel from, output::Channel to, double
 
 /// The reading under which these genomes grow what they are called: mother and daughter turn, by up to half a turn.
 inline Parameters turning(Parameters parameters = {}) {
-    parameters.division_turn = DivisionTurn::both;
-    parameters.orientation_frame = OrientationFrame::plane;
-    parameters.division_angle_range = 1;
+    parameters.development.division_turn = DivisionTurn::both;
+    parameters.development.orientation_frame = OrientationFrame::plane;
+    parameters.development.division_angle_range = 1;
     return parameters;
 }
 
@@ -189,5 +190,10 @@ inline Body hook() {
 inline Environment water() { return {.drag_normal = 1.0, .drag_tangential = 0.1}; }
 inline Environment land() { return {.gravity = 5, .has_ground = true, .friction = 0.8}; }
 inline Environment empty_space() { return {}; }
+
+/// The body in its world, with these numbers of the laws.
+inline SoftBodyModel soft_body(const Body &body, const Environment &environment, const Parameters &p = {}) {
+    return embody(body, environment, p.body, p.development.time_step);
+}
 
 } // namespace planula::specimens

@@ -20,7 +20,7 @@ int main(int argc, char **argv) {
     }
 
     constexpr double most_moving = 0.002;
-    const int in_time = Parameters{}.settle_limit, patience = 10 * in_time;
+    const int in_time = Parameters{}.settling.settle_limit, patience = 10 * in_time;
     std::mutex writing;
     int bodies = 0, late = 0, moving = 0;
     parallel_for(static_cast<int>(*count), hardware_threads(), [&](int number) {

@@ -66,12 +66,12 @@ class BulletEngine::World {
         forces_.compute(lengths_, x, v, forces);
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             nodes_[i]->applyCentralForce(to_bullet(forces[i] - v[i] * damping));
-        world_.stepSimulation(model_.parameters.time_step, 0);
+        world_.stepSimulation(model_.time_step, 0);
 
         Motion motion;
         for (const Vec2d velocity : velocities()) {
             const double speed = length(velocity);
-            motion.exploded |= !(speed * model_.parameters.time_step <= model_.parameters.node_speed_limit);
+            motion.exploded |= !(speed * model_.time_step <= model_.body.node_speed_limit);
             motion.fastest = std::max(motion.fastest, speed);
         }
         return motion;

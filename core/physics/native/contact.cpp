@@ -16,7 +16,7 @@ constexpr float margin = 1e-3f; // far above what rounding does to distances, an
 
 void Contact::load(const Layout &layout, const Kernel &kernel) {
     layout_ = &layout, kernel_ = &kernel;
-    reach_ = static_cast<float>(layout.model.parameters.contact_radius);
+    reach_ = static_cast<float>(layout.model.body.contact_radius);
     clearance_ = 0, listed_at_.clear(), touches_.clear();
     cells_.clear();
     for (const int cell : layout.model.contact_cells) cells_.push_back(place_of(cell));

@@ -58,7 +58,7 @@ std::vector<Fan> fans(const SoftBodyModel &model) {
 
 /// What one lane of a slot holds of this spoke.
 void fill(const SoftBodyModel &model, const Spoke &spoke, int neighbour, int lane, Slot &slot) {
-    const Parameters &p = model.parameters;
+    const BodyParameters &p = model.body;
     slot.neighbour[lane] = place_of(neighbour);
     const auto pull = static_cast<float>(p.spring_stiffness * model.rest_lengths[spoke.link]);
     slot.pull[lane] = slot.natural_pull[lane] = slot.next_pull[lane] = pull;
@@ -72,7 +72,7 @@ SoftBodyModel renumbered(const SoftBodyModel &model, const std::vector<int> &nod
     SoftBodyModel result{.outline = model.outline,
                          .contact_cells = model.contact_cells,
                          .masked = model.masked,
-                         .parameters = model.parameters};
+                         .body = model.body};
     for (OutlineLink &link : result.outline) link.a = node_of[link.a], link.b = node_of[link.b];
     for (int &cell : result.contact_cells) cell = node_of[cell];
     return result;

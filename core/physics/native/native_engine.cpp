@@ -41,13 +41,14 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
     touched_ = false, moved_ = 0;
     knot_steps_ = knot_interval_ = 0, muscles_move_ = false;
-    set_tasks(model.parameters, environment);
+    set_tasks(model, environment);
 }
 
 /// The numbers of the laws, and where the kernel finds what it works on.
-void NativeEngine::set_tasks(const Parameters &p, const Environment &environment) {
-    const auto dt = static_cast<float>(p.time_step);
-    const auto limit = static_cast<float>(p.node_speed_limit / p.time_step);
+void NativeEngine::set_tasks(const SoftBodyModel &model, const Environment &environment) {
+    const BodyParameters &p = model.body;
+    const auto dt = static_cast<float>(model.time_step);
+    const auto limit = static_cast<float>(p.node_speed_limit / model.time_step);
     task_ = {.pairs = body_.pairs.data(),
              .groups = body_.groups,
              .slots = body_.slots.data(),

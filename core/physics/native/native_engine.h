@@ -22,7 +22,7 @@ class NativeEngine : public Engine {
     std::vector<Vec2d> velocities() const override;
 
   private:
-    void set_tasks(const Parameters &parameters, const Environment &environment);
+    void set_tasks(const SoftBodyModel &model, const Environment &environment);
     void push_outline();
 
     const native::Kernel &kernel_;

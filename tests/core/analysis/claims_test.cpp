@@ -23,7 +23,7 @@ std::vector<double> values(double from, int count) {
 /// An analysis planned with so many runs of each setting.
 Analysis planned(int seeds) {
     Analysis analysis = fake_analysis();
-    analysis.design.seeds = seeds;
+    analysis.design.design.seeds = seeds;
     return analysis;
 }
 
@@ -175,9 +175,9 @@ BOOST_AUTO_TEST_CASE(every_rank_test_looks_at_its_own_measure) {
 
 BOOST_AUTO_TEST_CASE(data_that_end_early_leave_a_claim_open_with_its_value) {
     Analysis analysis = fake_analysis();
-    analysis.design.generations = 2000;
-    analysis.design.seeds = 20;
-    analysis.design.population = 300;
+    analysis.design.design.generations = 2000;
+    analysis.design.design.seeds = 20;
+    analysis.design.neat.population = 300;
     const ClaimRow row = judge(fake_claim("best_at_generation", "greater"), high, low, analysis);
     BOOST_TEST(row.verdict == "open");
     BOOST_TEST(row.effect.value() == 1);
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(data_that_end_early_leave_a_claim_open_with_its_value) {
 
 BOOST_AUTO_TEST_CASE(a_claim_about_an_early_generation_is_decided_by_early_data) {
     Analysis analysis = fake_analysis();
-    analysis.design.generations = 2000;
+    analysis.design.design.generations = 2000;
     Claim claim = fake_claim("best_at_generation", "greater");
     claim.generation = 8;
     const ClaimRow row = judge(claim, high, low, analysis);
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(a_setting_without_runs_leaves_a_claim_open_without_value) {
     BOOST_TEST(row.runs_b == 0);
     BOOST_TEST(row.note == "no runs of neat");
     Analysis wider = fake_analysis();
-    wider.design.population = 300;
+    wider.design.neat.population = 300;
     BOOST_TEST(judge(fake_claim("size_entropy", "greater"), high, {}, wider).note ==
                "population 10 of 300 in ns; no runs of neat");
 }

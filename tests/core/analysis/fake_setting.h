@@ -19,9 +19,9 @@ inline Analysis fake_analysis() {
     analysis.resamples = 500;
     analysis.interval_runs = 3;
     analysis.significance = 0.05;
-    analysis.design.seeds = 6;
-    analysis.design.generations = 10;
-    analysis.design.population = 10;
+    analysis.design.design.seeds = 6;
+    analysis.design.design.generations = 10;
+    analysis.design.neat.population = 10;
     return analysis;
 }
 
@@ -45,12 +45,12 @@ inline Claim fake_claim(const std::string &test, const std::string &expect = "")
 inline SettingRuns fake_setting(const Spec &spec, const std::vector<double> &values) {
     SettingRuns setting;
     setting.spec = &spec;
-    setting.generations = values.empty() ? 0 : spec.parameters.generations;
+    setting.generations = values.empty() ? 0 : spec.parameters.design.generations;
     for (std::size_t i = 0; i < values.size(); ++i) {
         RecordedRun run;
         run.seed = static_cast<std::int64_t>(i) + 1;
-        run.generations = spec.parameters.generations;
-        run.population = spec.parameters.population;
+        run.generations = spec.parameters.design.generations;
+        run.population = spec.parameters.neat.population;
         run.setting = spec.name;
         setting.runs.push_back(run);
         RunHistory history;

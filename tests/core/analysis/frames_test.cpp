@@ -32,7 +32,7 @@ const Swimmer &swimmer() {
     static const Swimmer found = [] {
         const Spec spec = swimmers();
         const Population population =
-            initial_population({input::count, output::count(spec.actuation), false}, spec.parameters, 1);
+            initial_population({input::count, output::count(spec.actuation), false}, spec.parameters.neat, 1);
         for (const Genome &genome : population.genomes) {
             const Life life = live(genome, spec);
             if (life.outcome == Outcome::viable) return Swimmer{genome, life};

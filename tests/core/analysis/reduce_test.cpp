@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(all_that_was_planned_is_complete_and_decides_claims) {
     Analysis analysis = tiny_analysis();
     analysis.claims.pop_back();
     analysis.endpoint_settings.pop_back();
-    analysis.design.seeds = 3;
-    analysis.design.generations = 12;
+    analysis.design.design.seeds = 3;
+    analysis.design.design.generations = 12;
     reduce(analysis, settings, {folder / "runs"}, folder / "data");
     BOOST_TEST(Manifest(folder / "data").number("complete") == 1);
     const auto claims = read_table<ClaimRow>(folder / "data");
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(the_runs_of_another_identity_and_of_other_seeds_are_as_if_t
     write_varied(folder / "all", settings, {1, 2, 3, 4});
     write_varied(folder / "two", settings, {2, 4});
     auto other = settings;
-    for (Spec &spec : other) spec.parameters.gravity = 1;
+    for (Spec &spec : other) spec.parameters.land.gravity = 1;
     write_varied(folder / "all", other, {9});
     write_varied(folder / "all", two_settings(2), {8});
     std::vector<std::string> told;

@@ -23,7 +23,7 @@ const ParameterRow &row_of(std::string_view name) {
 /// Brief lives in water.
 Spec swimmers(int population = 24) {
     Spec spec = fake_spec("water", 2, population);
-    spec.parameters.locomotion_steps = 400;
+    spec.parameters.gait.locomotion_steps = 400;
     spec.actuation_range = 0.2;
     spec.environment.drag_normal = 1;
     spec.environment.drag_tangential = 0.1;
@@ -78,11 +78,11 @@ BOOST_AUTO_TEST_CASE(genomes_of_a_generation_that_was_not_kept_are_refused) {
     const TemporaryFolder folder;
     const auto drawn = [&](int generations) {
         std::vector<Spec> settings{swimmers(3)};
-        settings[0].parameters.generations = generations;
+        settings[0].parameters.design.generations = generations;
         return draw_samples(settings, {folder / "runs"}, 3, 1).at(0).genomes.front().id;
     };
     Spec longer = swimmers(3);
-    longer.parameters.generations = 30;
+    longer.parameters.design.generations = 30;
     write_fake_run(folder / "runs", longer, 1, [](int, int) { return FakeLife{}; });
     BOOST_TEST(drawn(30) == 29 * 3);
     BOOST_TEST(drawn(26) == 25 * 3);
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_number_that_a_world_states_stands_for_its_parameter) {
     honey.environment.drag_normal = 8;
     BOOST_TEST(used(row_of("drag_normal"), honey) == 8);
     honey.world_sources = {{"drag normal", "drag_normal"}};
-    BOOST_TEST(used(row_of("drag_normal"), honey) == honey.parameters.drag_normal);
+    BOOST_TEST(used(row_of("drag_normal"), honey) == honey.parameters.water.drag_normal);
 
     // What is taken from another parameter is that one's, in any world.
     honey.world_sources = {{"drag normal", "gravity"}};

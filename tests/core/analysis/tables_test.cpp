@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(a_settings_world_is_told_by_its_numbers_and_where_they_are_
 
 BOOST_AUTO_TEST_CASE(a_small_run_gives_a_larger_share_of_its_end_points) {
     Spec spec;
-    spec.parameters.population = 40;
+    spec.parameters.neat.population = 40;
     SettingRuns setting;
     setting.spec = &spec;
     setting.generations = 10;

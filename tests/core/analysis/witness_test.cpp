@@ -35,7 +35,7 @@ WitnessRow row_of(const Life &native, const Life &half, const Life &bullet, std:
 
 Spec swimmers() {
     Spec spec = fake_spec("water", 1, 24);
-    spec.parameters.locomotion_steps = 800;
+    spec.parameters.gait.locomotion_steps = 800;
     spec.actuation_range = 0.2;
     spec.environment.drag_normal = 1;
     spec.environment.drag_tangential = 0.1;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscle
         const Genome genome = genome_of(read_table<GenomeRow>(folder));
         Conditions conditions{.actuation = Actuation::grn, .environment = specimens::water()};
         conditions.parameters = specimens::turning(); // as when they were champions
-        conditions.actuation_range = conditions.parameters.actuation_range_aquatic;
+        conditions.actuation_range = conditions.parameters.water.actuation_range_aquatic;
         BOOST_TEST(held_unrest(genome, conditions) < 0.05, name);
         const double way = live(genome, conditions).displacement();
         BOOST_TEST(way > 0.1, name);
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscle
 
 BOOST_AUTO_TEST_CASE(a_body_that_explodes_is_as_restless_as_can_be) {
     Conditions conditions{.actuation_range = 0.4, .environment = specimens::water()};
-    conditions.parameters.time_step = 0.02;
+    conditions.parameters.development.time_step = 0.02;
     const Genome genome = specimens::lump_genome(Actuation::oscillator, 6);
     BOOST_TEST(live(genome, conditions).outcome == Outcome::exploded);
     BOOST_TEST(held_unrest(genome, conditions) == 50);
@@ -123,7 +123,8 @@ BOOST_AUTO_TEST_CASE(what_muscles_do_is_not_unrest) {
     double beating = 0;
     live(genome, conditions, {.move = [&](int, std::span<const Vec2d> nodes, std::span<const double>) {
              for (std::size_t i = 0; i < before.size(); ++i)
-                 beating = std::max(beating, length(nodes[i] - before[i]) / conditions.parameters.time_step);
+                 beating = std::max(beating, length(nodes[i] - before[i]) /
+                                                 conditions.parameters.development.time_step);
              before.assign(nodes.begin(), nodes.end());
          }});
     BOOST_TEST(beating > 1);

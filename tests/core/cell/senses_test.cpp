@@ -11,7 +11,7 @@
 using namespace planula;
 
 BOOST_AUTO_TEST_CASE(a_cell_senses_place_neighbours_and_time) {
-    const auto inputs = sense({3, -4}, 0.25, 0.5, Parameters{});
+    const auto inputs = sense({3, -4}, 0.25, 0.5, NetworkParameters{});
     const auto near = boost::test_tools::tolerance(1e-15);
     BOOST_TEST(inputs[input::x] == 0.3, near);
     BOOST_TEST(inputs[input::y] == -0.4, near);

@@ -32,18 +32,18 @@ constexpr auto near = 1e-12;
 
 BOOST_AUTO_TEST_CASE(the_direction_is_the_mean_of_the_neighbours_turned_by_the_angle_output) {
     Parameters full;
-    full.division_angle_range = 1;
+    full.development.division_angle_range = 1;
     Embryo embryo = star({{0, 0}, {1, 0}, {0, 1}});
     embryo.cells[1].orientation = {1, 0};
     embryo.cells[2].orientation = {0, 1};
-    const Vec2d mean = division_direction(embryo, 0, 0, full);
+    const Vec2d mean = division_direction(embryo, 0, 0, full.development);
     BOOST_TEST(length(mean - Vec2d{std::sqrt(0.5), std::sqrt(0.5)}) < near);
-    const Vec2d turned = division_direction(embryo, 0, 0.25, full); // + 45 degrees
+    const Vec2d turned = division_direction(embryo, 0, 0.25, full.development); // + 45 degrees
     BOOST_TEST(length(turned - Vec2d{0, 1}) < near);
-    BOOST_TEST(length(division_direction(embryo, 0, 1, full) + mean) < near);
+    BOOST_TEST(length(division_direction(embryo, 0, 1, full.development) + mean) < near);
     Parameters narrow;
-    narrow.division_angle_range = 0.25;
-    BOOST_TEST(length(division_direction(embryo, 0, 1, narrow) - turned) < near);
+    narrow.development.division_angle_range = 0.25;
+    BOOST_TEST(length(division_direction(embryo, 0, 1, narrow.development) - turned) < near);
 }
 
 BOOST_AUTO_TEST_CASE(without_neighbours_or_if_they_cancel_a_cell_follows_itself) {
@@ -64,10 +64,10 @@ BOOST_AUTO_TEST_CASE(a_daughter_touches_her_mother_and_inherits) {
     embryo.cells[0].morphogen = 0.75;
     for (int node = 0; node < 3; ++node) embryo.activations.at(0, node) = node + 1;
     const Parameters p;
-    BOOST_TEST(divide(0, {0, 1}, p, embryo));
+    BOOST_TEST(divide(0, {0, 1}, p.development, embryo));
     BOOST_REQUIRE(embryo.cells.size() == 2u);
     const Cell &mother = embryo.cells[0], &daughter = embryo.cells[1];
-    BOOST_TEST(length(daughter.position - Vec2d{0, 1}) <= p.division_jitter * (1 + near));
+    BOOST_TEST(length(daughter.position - Vec2d{0, 1}) <= p.development.division_jitter * (1 + near));
     BOOST_TEST(length(daughter.position - Vec2d{0, 1}) > 0);
     BOOST_TEST((daughter.velocity == mother.velocity));
     BOOST_TEST(daughter.morphogen == 0.75);
@@ -81,9 +81,9 @@ BOOST_AUTO_TEST_CASE(a_daughter_touches_her_mother_and_inherits) {
 BOOST_AUTO_TEST_CASE(those_take_the_direction_that_division_turn_names) {
     const auto orientations = [](DivisionTurn turn) {
         Parameters p;
-        p.division_turn = turn;
+        p.development.division_turn = turn;
         Embryo embryo = zygote(1);
-        BOOST_REQUIRE(divide(0, {0, 1}, p, embryo));
+        BOOST_REQUIRE(divide(0, {0, 1}, p.development, embryo));
         return std::pair(embryo.cells[0].orientation, embryo.cells[1].orientation);
     };
     const Vec2d before{1, 0}, direction{0, 1};
@@ -116,32 +116,32 @@ BOOST_AUTO_TEST_CASE(orientations_turn_as_the_links_of_a_cell_do) {
 
 BOOST_AUTO_TEST_CASE(division_needs_room_for_the_daughter_but_not_from_the_mother) {
     Parameters p;
-    p.division_jitter = 0;
+    p.development.division_jitter = 0;
     // Exactly at the clearance (a binary fraction) there is room; a hair nearer there is none, and nothing
     // changes.
-    p.division_clearance = 0.4375;
-    Embryo free = star({{0, 0}, {1 + p.division_clearance, 0}});
-    BOOST_TEST(divide(0, {1, 0}, p, free));
-    Embryo full = star({{0, 0}, {1 + p.division_clearance - 1e-9, 0}});
+    p.development.division_clearance = 0.4375;
+    Embryo free = star({{0, 0}, {1 + p.development.division_clearance, 0}});
+    BOOST_TEST(divide(0, {1, 0}, p.development, free));
+    Embryo full = star({{0, 0}, {1 + p.development.division_clearance - 1e-9, 0}});
     full.cells[0].orientation = {0, 1};
-    BOOST_TEST(!divide(0, {1, 0}, p, full));
+    BOOST_TEST(!divide(0, {1, 0}, p.development, full));
     BOOST_TEST(full.cells.size() == 2u);
     BOOST_TEST(full.births == 2);
     BOOST_TEST((full.cells[0].orientation == Vec2d{0, 1}));
     // A clearance beyond the mother's own distance does not count her.
-    p.division_clearance = 1;
-    BOOST_TEST(divide(0, {-1, 0}, p, full));
+    p.development.division_clearance = 1;
+    BOOST_TEST(divide(0, {-1, 0}, p.development, full));
 }
 
 BOOST_AUTO_TEST_CASE(the_offset_depends_on_the_daughters_lineage_alone_and_stays_small) {
     const Parameters p;
     for (int id = 0; id < 1024; ++id) {
-        const Vec2d offset = daughter_position({0, 0}, {1, 0}, id, p) - Vec2d{1, 0};
-        BOOST_REQUIRE(length(offset) <= p.division_jitter * (1 + near));
-        const Vec2d elsewhere = daughter_position({0, 0}, {0, 1}, id, p) - Vec2d{0, 1};
+        const Vec2d offset = daughter_position({0, 0}, {1, 0}, id, p.development) - Vec2d{1, 0};
+        BOOST_REQUIRE(length(offset) <= p.development.division_jitter * (1 + near));
+        const Vec2d elsewhere = daughter_position({0, 0}, {0, 1}, id, p.development) - Vec2d{0, 1};
         BOOST_REQUIRE(length(offset - elsewhere) < near);
     }
-    const auto x = [&](int id) { return daughter_position({0, 0}, {1, 0}, id, p).x; };
+    const auto x = [&](int id) { return daughter_position({0, 0}, {1, 0}, id, p.development).x; };
     BOOST_TEST(x(1) != x(2));
 }
 
@@ -150,7 +150,8 @@ BOOST_AUTO_TEST_CASE(a_birth_elsewhere_moves_no_daughter) {
     const Parameters p;
     Embryo both = star({{0, 0}, {50, 0}}), one = both;
     both.cells[1].lineage = one.cells[1].lineage = 7;
-    BOOST_REQUIRE((divide(0, {1, 0}, p, both) && divide(1, {1, 0}, p, both) && divide(1, {1, 0}, p, one)));
+    BOOST_REQUIRE((divide(0, {1, 0}, p.development, both) && divide(1, {1, 0}, p.development, both) &&
+                   divide(1, {1, 0}, p.development, one)));
     BOOST_TEST((both.cells.back().position == one.cells.back().position));
     BOOST_TEST(both.cells.back().lineage == one.cells.back().lineage);
     BOOST_TEST(both.cells.back().id != one.cells.back().id);
@@ -158,10 +159,11 @@ BOOST_AUTO_TEST_CASE(a_birth_elsewhere_moves_no_daughter) {
 
 BOOST_AUTO_TEST_CASE(every_cell_has_a_lineage_of_its_own) {
     Parameters p;
-    p.division_clearance = 0;
+    p.development.division_clearance = 0;
     Embryo embryo = zygote(1);
     for (int round = 0; round < 7; ++round)
-        for (int cell = static_cast<int>(embryo.cells.size()); cell-- > 0;) divide(cell, {1, 0}, p, embryo);
+        for (int cell = static_cast<int>(embryo.cells.size()); cell-- > 0;)
+            divide(cell, {1, 0}, p.development, embryo);
     std::set<std::uint64_t> lineages;
     for (const Cell &cell : embryo.cells) lineages.insert(cell.lineage);
     BOOST_TEST(embryo.cells.size() == 128u);

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(apoptosis_above_zero_removes_a_cell_at_once) {
 
 BOOST_AUTO_TEST_CASE(reaching_the_cell_limit_once_stops_development) {
     Parameters p;
-    p.cell_limit = 64;
+    p.development.cell_limit = 64;
     const Network network = express(lump_genome(Actuation::oscillator, 20), 16);
     const Growth growth = grow(network, Actuation::oscillator, p);
     BOOST_TEST(growth.outcome == Outcome::overgrown);
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(reaching_the_cell_limit_once_stops_development) {
 
 BOOST_AUTO_TEST_CASE(at_the_birth_limit_division_ends) {
     Parameters p;
-    p.birth_limit = 20;
+    p.development.birth_limit = 20;
     const Network network = express(lump_genome(Actuation::oscillator, 20), 16);
     const Growth growth = grow(network, Actuation::oscillator, p);
     BOOST_TEST(growth.births == 20);

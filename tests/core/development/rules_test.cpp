@@ -23,7 +23,7 @@ const auto near = boost::test_tools::tolerance(1e-12);
 
 Growth grown(const Genome &genome, Actuation actuation, const GrowthWatch &watch = {},
              const Parameters &parameters = turning()) {
-    return grow(express(genome, parameters.propagation_limit), actuation, parameters, watch);
+    return grow(express(genome, parameters.network.propagation_limit), actuation, parameters, watch);
 }
 
 /// What a watch saw before the physics of one step.
@@ -47,7 +47,7 @@ double output_of(const Growth &growth, int cell, int channel) {
 }
 
 /// tanh of the X input that a cell at this place has.
-double east(Vec2d place) { return math::tanh(place.x / Parameters{}.position_scale); }
+double east(Vec2d place) { return math::tanh(place.x / Parameters{}.network.position_scale); }
 
 /// The mean of values over a cell's neighbours.
 double mean(std::span<const int> neighbours, const std::vector<double> &values) {
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(two_cells_share_one_link) {
 
 BOOST_AUTO_TEST_CASE(exactly_collinear_cells_are_a_chain) {
     Parameters p;
-    p.division_jitter = 0;
+    p.development.division_jitter = 0;
     const Growth growth = grown(line_genome(Actuation::oscillator, 9), Actuation::oscillator, {}, p);
     BOOST_TEST(growth.outcome == Outcome::viable);
     BOOST_TEST(growth.cells == 10);
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(the_birth_limit_counts_the_dead_too) {
     const Growth free = grown(genome, Actuation::oscillator, {}, p);
     BOOST_TEST(free.births == 21);
     BOOST_TEST(free.largest < 12);
-    p.birth_limit = 15;
+    p.development.birth_limit = 15;
     BOOST_TEST(grown(genome, Actuation::oscillator, {}, p).births == 15);
 }
 

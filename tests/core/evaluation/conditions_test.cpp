@@ -7,17 +7,19 @@ using namespace planula;
 
 BOOST_AUTO_TEST_CASE(refinement_keeps_every_duration_in_time_units) {
     const Parameters whole, half = refined(whole, 2);
-    const auto time = [](const Parameters &p, double steps) { return steps * p.time_step; };
-    BOOST_TEST(half.time_step == 0.005);
+    const auto time = [](const Parameters &p, double steps) { return steps * p.development.time_step; };
+    BOOST_TEST(half.development.time_step == 0.005);
+    for (const auto duration : {&SettlingParameters::settle_window, &SettlingParameters::settle_limit})
+        BOOST_TEST(time(half, half.settling.*duration) == time(whole, whole.settling.*duration));
     for (const auto duration :
-         {&Parameters::settle_window, &Parameters::settle_limit, &Parameters::locomotion_steps,
-          &Parameters::ramp_steps, &Parameters::knot_interval, &Parameters::update_interval,
-          &Parameters::path_interval})
-        BOOST_TEST(time(half, half.*duration) == time(whole, whole.*duration));
-    BOOST_TEST(time(half, half.period_shortest) == time(whole, whole.period_shortest));
-    BOOST_TEST(time(half, half.period_longest) == time(whole, whole.period_longest));
+         {&GaitParameters::locomotion_steps, &GaitParameters::ramp_steps, &GaitParameters::knot_interval,
+          &GaitParameters::update_interval, &GaitParameters::path_interval})
+        BOOST_TEST(time(half, half.gait.*duration) == time(whole, whole.gait.*duration));
+    BOOST_TEST(time(half, half.gait.period_shortest) == time(whole, whole.gait.period_shortest));
+    BOOST_TEST(time(half, half.gait.period_longest) == time(whole, whole.gait.period_longest));
     // The guard is a speed: cells per step, so half of it.
-    BOOST_TEST(half.node_speed_limit / half.time_step == whole.node_speed_limit / whole.time_step);
+    BOOST_TEST(half.body.node_speed_limit / half.development.time_step ==
+               whole.body.node_speed_limit / whole.development.time_step);
     check_consistency(half);
 }
 

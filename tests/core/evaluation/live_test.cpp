@@ -21,7 +21,7 @@ Conditions conditions(Actuation actuation, bool on_land) {
     c.actuation = actuation;
     c.environment = on_land ? land() : water();
     c.actuation_range =
-        on_land ? c.parameters.actuation_range_terrestrial : c.parameters.actuation_range_aquatic;
+        on_land ? c.parameters.land.actuation_range_terrestrial : c.parameters.water.actuation_range_aquatic;
     return c;
 }
 

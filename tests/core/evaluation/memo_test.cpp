@@ -17,8 +17,8 @@ Conditions conditions(Actuation actuation) {
     Conditions c;
     c.actuation = actuation;
     c.environment = land();
-    c.actuation_range = c.parameters.actuation_range_terrestrial;
-    c.parameters.locomotion_steps = 400;
+    c.actuation_range = c.parameters.land.actuation_range_terrestrial;
+    c.parameters.gait.locomotion_steps = 400;
     return c;
 }
 

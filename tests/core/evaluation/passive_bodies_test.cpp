@@ -10,9 +10,9 @@ BOOST_AUTO_TEST_CASE(of_passive_bodies_hardly_any_keeps_moving) {
     // At most 0.2 % of random bodies; `make torture` drops thousands.
     int bodies = 0;
     for (std::uint64_t number = 0; bodies < 40; ++number)
-        if (const auto rest = drop(Actuation::oscillator, number, Parameters{}.settle_limit)) {
+        if (const auto rest = drop(Actuation::oscillator, number, Parameters{}.settling.settle_limit)) {
             ++bodies;
             BOOST_TEST(!rest->moving, number);
-            BOOST_TEST(rest->steps >= Parameters{}.settle_window);
+            BOOST_TEST(rest->steps >= Parameters{}.settling.settle_window);
         }
 }

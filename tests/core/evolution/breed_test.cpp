@@ -21,7 +21,7 @@ struct Family {
             scores.push_back(100 - static_cast<double>(i));
     }
     Parents parents() const { return {population.genomes, scores, population.species}; }
-    Genome child(int n, const Parameters &parameters, std::span<const Genome> siblings = {},
+    Genome child(int n, const NeatParameters &parameters, std::span<const Genome> siblings = {},
                  bool recurrent = false, int species = 0) {
         Stream stream = specimens::stream(n);
         return breed(parents(), population.species[species], siblings, recurrent, parameters,
@@ -40,7 +40,7 @@ Family family(int size) {
 
 std::set<std::int64_t> mothers_of(Family &family, int children) {
     std::set<std::int64_t> mothers;
-    for (int n = 0; n < children; ++n) mothers.insert(family.child(n, Parameters()).mother);
+    for (int n = 0; n < children; ++n) mothers.insert(family.child(n, NeatParameters()).mother);
     return mothers;
 }
 
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(children_come_in_the_shares_asked_for) {
     Family some = family(40);
     int crossed = 0, crossed_and_mutated = 0, mutated = 0;
     for (int n = 0; n < 8000; ++n) {
-        const Genome child = some.child(n, Parameters());
+        const Genome child = some.child(n, NeatParameters());
         crossed += child.origin == Origin::crossover;
         crossed_and_mutated += child.origin == Origin::crossover_mutation;
         mutated += child.origin == Origin::mutation;
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(children_come_in_the_shares_asked_for) {
 }
 
 BOOST_AUTO_TEST_CASE(a_quarter_of_crossovers_averages) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.crossover_rate = 1;
     parameters.mutation_rate = 0;
     Family pair(populations::of({{-1, 1}}));
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_quarter_of_crossovers_averages) {
 }
 
 BOOST_AUTO_TEST_CASE(a_species_of_one_only_mutates) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.crossover_rate = 1;
     parameters.mutation_rate = 0;
     Family loner(populations::of({{2}, {3, 4}}));
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_species_of_one_only_mutates) {
 }
 
 BOOST_AUTO_TEST_CASE(a_father_like_the_mother_is_redrawn_and_mating_with_oneself_changes_nothing) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.crossover_rate = 1;
     parameters.mutation_rate = 0;
     // Slots 0 and 1 are as good as equal, 2 differs: a mother of the first two always takes 2.
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(fathers_of_other_species_are_rare_and_bring_all_their_links
     for (auto &genome : population.genomes) // the second species has a link of its own
         if (genome.links[0].weight > 4) genome.links.push_back({innovations.link(1, 2), 1, 2, 1, false});
     Family two(population);
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.crossover_rate = 1;
     parameters.mutation_rate = 0;
     for (int n = 0; n < 500; ++n) BOOST_TEST(two.child(n, parameters).father < 2); // 1e-4
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(fathers_of_other_species_are_rare_and_bring_all_their_links
 
 BOOST_AUTO_TEST_CASE(a_clone_is_tried_again_with_nothing_but_other_weights) {
     // Splitting the only link gives the same genome each time: the second child must differ otherwise.
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.add_node_rate = 1;
     parameters.add_link_rate = parameters.remove_link_rate = parameters.mutate_weights_rate = 0;
     Family loner(populations::of({{2}}));
@@ -166,8 +166,8 @@ BOOST_AUTO_TEST_CASE(children_differ_from_all_their_siblings) {
     Family some = family(6);
     std::vector<Genome> siblings;
     for (int n = 0; n < 200; ++n) {
-        const Genome child = some.child(n, Parameters(), siblings);
-        BOOST_TEST(!is_clone(child, siblings, Parameters()));
+        const Genome child = some.child(n, NeatParameters(), siblings);
+        BOOST_TEST(!is_clone(child, siblings, NeatParameters()));
         siblings.push_back(child);
     }
 }
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(a_child_with_dead_ends_is_replaced_by_an_unchanged_parent) 
                         {innovations.link(3, 2), 3, 2, weight, false}};
     }
     Family some(population);
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.crossover_rate = 0;
     parameters.add_link_rate = 1;
     parameters.add_node_rate = parameters.remove_link_rate = parameters.mutate_weights_rate = 0;

@@ -25,7 +25,7 @@ struct Pool {
         }
     }
     Population brood(int size, std::uint64_t seed = 1) const {
-        Parameters parameters;
+        NeatParameters parameters;
         parameters.population = size;
         const ParentDraw draw = [&](Stream &stream) {
             return static_cast<int>(stream.below(static_cast<std::uint32_t>(genomes.size())));

@@ -29,8 +29,8 @@ BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_with_shared_scores) {
     const std::vector<double> scores{3, 3, 3, 3, 3, 3, 1, 1};
     const Parameters parameters = populations::frozen(8);
     const Population next = FitnessSearch(parameters).next(population, scores, {2, 1, false}, 4);
-    BOOST_TEST(
-        (next.genomes == reproduce(population, scores, Adjustment::sharing, false, parameters, 4).genomes));
+    BOOST_TEST((next.genomes ==
+                reproduce(population, scores, Adjustment::sharing, false, parameters.neat, 4).genomes));
     BOOST_TEST(populations::sizes(next) == (std::vector<int>{6, 2}), boost::test_tools::per_element());
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 Parameters of(int population, int k) {
     Parameters parameters;
-    parameters.population = population;
-    parameters.novelty_neighbours = k;
+    parameters.neat.population = population;
+    parameters.novelty.novelty_neighbours = k;
     return parameters;
 }
 
@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(competition_is_with_the_nearest_alive_or_archived) {
     // Two neighbours each. On a line: a at 0 fitness 5, b at 1 fitness 3, c at 3 fitness 4, d at 100 fitness 1,
     // e at 104 fitness 2; an archived one as fit as d at 101, f not valid.
     const Parameters parameters = of(6, 2);
-    NoveltyArchive archive(parameters);
+    NoveltyArchive archive(parameters.novelty);
     const Population one = populations::of({{1}});
     archive.extend(one, std::vector<Evaluation>{{1, {101}, 1}}, std::vector<double>{9});
     BOOST_REQUIRE(archive.entries().size() == 1u);
@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(a_niche_of_low_fitness_is_improved_although_others_are_fitt
         return Evaluation{(side > 0 ? 100 : 1) * (8 - std::abs(skill - 4)) / 8, {side}, 1};
     };
     Parameters parameters = of(40, 8);
-    parameters.add_node_rate = parameters.add_link_rate = parameters.remove_link_rate = 0;
-    parameters.weight_power = 1;
+    parameters.neat.add_node_rate = parameters.neat.add_link_rate = parameters.neat.remove_link_rate = 0;
+    parameters.neat.weight_power = 1;
     ToyRun run("nslc", parameters, 2, judge);
     const auto &search = dynamic_cast<const LocalCompetitionSearch &>(*run.search);
     run.steps(60);

@@ -18,8 +18,8 @@ namespace {
 
 Parameters of(int population, double width) {
     Parameters parameters;
-    parameters.population = population;
-    parameters.niche_width = width;
+    parameters.neat.population = population;
+    parameters.map_elites.niche_width = width;
     return parameters;
 }
 
@@ -91,9 +91,9 @@ BOOST_AUTO_TEST_CASE(a_known_map_is_covered_and_its_score_approached) {
         return Evaluation{8 + genome.links[1].weight, {genome.links[0].weight}, 1};
     };
     Parameters parameters = of(50, 0.5);
-    parameters.add_node_rate = parameters.add_link_rate = parameters.remove_link_rate = 0;
-    parameters.weight_power = 1;
-    parameters.crossover_rate = 0; // every child is mutated
+    parameters.neat.add_node_rate = parameters.neat.add_link_rate = parameters.neat.remove_link_rate = 0;
+    parameters.neat.weight_power = 1;
+    parameters.neat.crossover_rate = 0; // every child is mutated
     ToyRun run("map-elites", parameters, 1, judge);
     const auto &search = dynamic_cast<const MapElitesSearch &>(*run.search);
     double before = 0;

@@ -49,7 +49,7 @@ struct Run {
 
 Parameters nearest(int k) {
     Parameters parameters;
-    parameters.novelty_neighbours = k;
+    parameters.novelty.novelty_neighbours = k;
     return parameters;
 }
 
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(the_invalid_neither_add_to_a_run_nor_end_it) {
 
 BOOST_AUTO_TEST_CASE(the_threshold_falls_after_fifty_generations_without_addition_down_to_its_floor) {
     Parameters parameters = nearest(1);
-    parameters.archive_floor = 0.4;
+    parameters.novelty.archive_floor = 0.4;
     Run run(parameters);
     const auto quiet = [&](int generations) {
         for (int i = 0; i < generations; ++i) run.generation({at({0, 0}), at({0, 0})});
@@ -240,13 +240,14 @@ BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_without_sharing) {
     const Parameters parameters = populations::frozen(8);
     const Population next = NoveltySearch(parameters).next(population, scores, {2, 1, false}, 4);
     BOOST_TEST(
-        (next.genomes == reproduce(population, scores, Adjustment::none, false, parameters, 4).genomes));
+        (next.genomes == reproduce(population, scores, Adjustment::none, false, parameters.neat, 4).genomes));
     BOOST_TEST(populations::sizes(next) == (std::vector<int>{7, 1}), per_element());
     Parameters aged = parameters;
-    aged.novelty_species = NoveltySpecies::aged;
-    aged.young_boost = 1;
+    aged.novelty.novelty_species = NoveltySpecies::aged;
+    aged.neat.young_boost = 1;
     const Population with_ages = NoveltySearch(aged).next(population, scores, {2, 1, false}, 4);
-    BOOST_TEST((with_ages.genomes == reproduce(population, scores, Adjustment::age, false, aged, 4).genomes));
+    BOOST_TEST(
+        (with_ages.genomes == reproduce(population, scores, Adjustment::age, false, aged.neat, 4).genomes));
 }
 
 BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {
@@ -264,8 +265,8 @@ BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {
         return scores;
     };
     Parameters parameters = nearest(3);
-    parameters.archive_patience = 2;
-    parameters.archive_threshold = 4;
+    parameters.novelty.archive_patience = 2;
+    parameters.novelty.archive_threshold = 4;
     for (const int stop : {0, 1, 13}) {
         Run through(parameters), before(parameters), after(parameters);
         live(through, 0, stop);
@@ -313,7 +314,7 @@ BOOST_AUTO_TEST_CASE(unsound_state_is_refused) {
     refused(head(-1, 0, 0, 0));
     refused(head(1, -1, 0, 0));
     refused(head(1, std::numeric_limits<int>::max(), 0, 0)); // the next addition would overflow
-    refused(head(1, 0, 0, 0, Parameters().archive_patience));
+    refused(head(1, 0, 0, 0, Parameters().novelty.archive_patience));
     refused(head(1, 0, -1, 0));
     refused(head(1, 0, 2, 1000));
     const std::vector<ArchiveEntry> one{{0, 0, {1, 2}, 1, 1}}, bare{{0, 0, {}, 1, 1}};

@@ -15,8 +15,8 @@ namespace {
 
 Parameters of(int population, int k = 1) {
     Parameters parameters;
-    parameters.population = population;
-    parameters.novelty_neighbours = k;
+    parameters.neat.population = population;
+    parameters.novelty.novelty_neighbours = k;
     return parameters;
 }
 
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(the_objectives_are_fitness_and_penalised_novelty) {
     pool.add(Genome(), {3, {4}, 1});
     pool.add(Genome(), {9, {4}, 0});
     const std::vector<std::vector<Neighbour>> neighbours{{{4, 1}, {16, 3}}, {{4, 0}}, {}};
-    const auto objectives = Nsga2Search(of(3)).objectives(pool, neighbours, NoveltyArchive(of(3)));
+    const auto objectives = Nsga2Search(of(3)).objectives(pool, neighbours, NoveltyArchive(of(3).novelty));
     BOOST_TEST(objectives[0] == (Objectives{7, 1.5}), per_element()); // (2 + 4) / 2 · 0.5
     BOOST_TEST(objectives[1] == (Objectives{3, 2}), per_element());
     BOOST_TEST(objectives[2].empty());
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(parents_and_children_compete_by_front_then_by_crowding) {
 BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_go) {
     // One front, fitness falling as novelty rises, and those of fitness 0 behind it.
     Parameters parameters = of(4);
-    parameters.archive_threshold = 1e6;
+    parameters.novelty.archive_threshold = 1e6;
     Nsga2Search search(parameters);
     // Pairs on a line; the distance within a pair is the novelty: 1, 2, 2.5, 10.
     std::vector<Evaluation> pairs;
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_go) {
 BOOST_AUTO_TEST_CASE(binary_tournaments_prefer_the_higher_rank) {
     // Of n, the one at place i from 0 wins (2 (n − i) − 1) / n² of all tournaments; nobody mates here.
     Parameters parameters = populations::frozen(4000);
-    parameters.novelty_neighbours = 1;
+    parameters.novelty.novelty_neighbours = 1;
     Nsga2Search search(parameters);
     std::vector<Evaluation> evaluations;
     for (int i = 0; i < 4; ++i) evaluations.push_back({10.0 - i, {0}, 1});

@@ -49,15 +49,15 @@ inline double distance_between(const Genome &a, const Genome &b, const Parameter
     double sum = 0;
     for (const double difference : differences) sum += difference;
     const double mean = differences.empty() ? 0 : sum / static_cast<double>(differences.size());
-    return parameters.excess_coefficient * excess + parameters.disjoint_coefficient * disjoint +
-           parameters.weight_coefficient * mean;
+    return parameters.neat.excess_coefficient * excess + parameters.neat.disjoint_coefficient * disjoint +
+           parameters.neat.weight_coefficient * mean;
 }
 
 /// Eq. (7) and the archive, generation by generation.
 struct Novelty {
     Parameters parameters;
     std::vector<ArchiveEntry> archive;
-    double threshold = parameters.archive_threshold;
+    double threshold = parameters.novelty.archive_threshold;
     int additions_in_a_row = 0, generations_without = 0;
 
     static double between(const std::vector<double> &a, const std::vector<double> &b) {
@@ -75,7 +75,7 @@ struct Novelty {
         for (const ArchiveEntry &entry : archive)
             distances.push_back(between(evaluations[self].behaviour, entry.behaviour));
         std::sort(distances.begin(), distances.end());
-        const std::size_t k = std::min<std::size_t>(distances.size(), parameters.novelty_neighbours);
+        const std::size_t k = std::min<std::size_t>(distances.size(), parameters.novelty.novelty_neighbours);
         double sum = 0;
         for (std::size_t i = 0; i < k; ++i) sum += distances[i];
         return k == 0 ? 0 : sum / static_cast<double>(k);
@@ -98,14 +98,14 @@ struct Novelty {
                                evaluations[slot].behaviour, novelties[slot]});
             any = true;
             additions_in_a_row += 1;
-            if (additions_in_a_row >= parameters.archive_run + 1)
-                threshold = threshold * parameters.archive_raise;
+            if (additions_in_a_row >= parameters.novelty.archive_run + 1)
+                threshold = threshold * parameters.novelty.archive_raise;
         }
 
         generations_without = any ? 0 : generations_without + 1;
-        if (generations_without == parameters.archive_patience) {
-            threshold = threshold * parameters.archive_lower;
-            if (threshold < parameters.archive_floor) threshold = parameters.archive_floor;
+        if (generations_without == parameters.novelty.archive_patience) {
+            threshold = threshold * parameters.novelty.archive_lower;
+            if (threshold < parameters.novelty.archive_floor) threshold = parameters.novelty.archive_floor;
             generations_without = 0;
         }
         for (std::size_t slot = 0; slot < evaluations.size(); ++slot)
@@ -153,9 +153,9 @@ inline Genome draw_genome(bool evolved, bool recurrent, Stream &stream) {
 
 inline Parameters draw_coefficients(Stream &stream) {
     Parameters parameters;
-    parameters.disjoint_coefficient = stream.below(4);
-    parameters.excess_coefficient = stream.below(4);
-    parameters.weight_coefficient = 2 * stream.uniform();
+    parameters.neat.disjoint_coefficient = stream.below(4);
+    parameters.neat.excess_coefficient = stream.below(4);
+    parameters.neat.weight_coefficient = 2 * stream.uniform();
     return parameters;
 }
 
@@ -166,11 +166,11 @@ inline std::string compare_distance(std::uint32_t number) {
     const bool evolved = stream.chance(0.5), recurrent = stream.chance(0.5);
     const Genome a = draw_genome(evolved, recurrent, stream), b = draw_genome(evolved, recurrent, stream);
     const Parameters parameters = draw_coefficients(stream);
-    const double expected = distance_between(a, b, parameters), found = distance(a, b, parameters);
+    const double expected = distance_between(a, b, parameters), found = distance(a, b, parameters.neat);
     if (std::abs(found - expected) > 1e-12 * (1 + expected)) return "distance";
-    if (distance(b, a, parameters) != found) return "symmetry of distance";
-    const bool clone = a.links.size() == b.links.size() && expected < parameters.clone_distance;
-    return is_clone(a, std::vector<Genome>{b}, parameters) == clone ? "" : "clone";
+    if (distance(b, a, parameters.neat) != found) return "symmetry of distance";
+    const bool clone = a.links.size() == b.links.size() && expected < parameters.neat.clone_distance;
+    return is_clone(a, std::vector<Genome>{b}, parameters.neat) == clone ? "" : "clone";
 }
 
 /// How often chance decided for the mother, and how often it decided at all.
@@ -275,7 +275,7 @@ inline std::string compare_species(std::uint32_t number) {
     std::int64_t next_genome = population.next_genome;
     for (int n = 0; n < children; ++n) {
         const Genome child = draw_genome(true, recurrent, stream);
-        add_child(parameters, population, child);
+        add_child(parameters.neat, population, child);
         Genome named = child;
         named.id = next_genome++;
         bool placed = false;
@@ -314,11 +314,11 @@ inline std::string compare_species(std::uint32_t number) {
 inline std::string compare_novelty(std::uint32_t number) {
     Stream stream = specimens::stream(number, 104);
     Parameters parameters;
-    parameters.novelty_neighbours = 1 + static_cast<int>(stream.below(6));
-    parameters.archive_threshold = 3 * stream.uniform();
-    parameters.archive_floor = stream.uniform();
-    parameters.archive_run = static_cast<int>(stream.below(5));
-    parameters.archive_patience = 1 + static_cast<int>(stream.below(3));
+    parameters.novelty.novelty_neighbours = 1 + static_cast<int>(stream.below(6));
+    parameters.novelty.archive_threshold = 3 * stream.uniform();
+    parameters.novelty.archive_floor = stream.uniform();
+    parameters.novelty.archive_run = static_cast<int>(stream.below(5));
+    parameters.novelty.archive_patience = 1 + static_cast<int>(stream.below(3));
     NoveltySearch search(parameters);
     Novelty expected{parameters};
 

@@ -17,10 +17,10 @@ namespace {
 
 Parameters small() {
     Parameters parameters;
-    parameters.population = 20;
-    parameters.generations = 50;
-    parameters.add_node_rate = parameters.add_link_rate = 0.3;
-    parameters.compatibility_threshold = 1;
+    parameters.neat.population = 20;
+    parameters.design.generations = 50;
+    parameters.neat.add_node_rate = parameters.neat.add_link_rate = 0.3;
+    parameters.neat.compatibility_threshold = 1;
     return parameters;
 }
 
@@ -38,7 +38,7 @@ void evolve(int generations, const NetworkShape &shape, const Parameters &parame
             Population &population) {
     for (int i = 0; i < generations; ++i)
         population = reproduce(population, scores_of(population), Adjustment::sharing, shape.recurrent,
-                               parameters, seed);
+                               parameters.neat, seed);
 }
 
 std::string saved(const Population &population) {
@@ -49,7 +49,8 @@ std::string saved(const Population &population) {
 
 Population loaded(const std::string &bytes, const NetworkShape &shape, const Parameters &parameters) {
     StateReader reader(bytes);
-    Population population = load_population(shape, parameters, reader);
+    Population population =
+        load_population(shape, parameters.neat.population, parameters.design.generations, reader);
     reader.done();
     return population;
 }
@@ -60,7 +61,7 @@ BOOST_AUTO_TEST_CASE(a_saved_population_breeds_on_as_if_it_had_never_been_saved)
     const Parameters parameters = small();
     for (const bool recurrent : {false, true}) {
         const NetworkShape shape{4, 2, recurrent};
-        Population kept = initial_population(shape, parameters, seed);
+        Population kept = initial_population(shape, parameters.neat, seed);
         for (int step = 0; step < 4; ++step) {
             Population back = loaded(saved(kept), shape, parameters);
             BOOST_TEST((saved(back) == saved(kept)));
@@ -103,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_population_that_contradicts_itself_or_the_setting_is_refu
     refuses("is not born yet", [](Population &p) { p.genomes[2].mother = p.next_genome; });
     refuses("hold the mark", [](Population &p) { p.species[0].best = p.species[1].best = true; });
     refuses("is not between", [](Population &p) { p.generation = -1; });
-    refuses("is not between", [&](Population &p) { p.generation = parameters.generations; });
+    refuses("is not between", [&](Population &p) { p.generation = parameters.design.generations; });
     refuses("is not between", [](Population &p) { p.species[0].age = -1; });
     refuses("is not between", [](Population &p) { p.species[0].id = p.next_species; });
     refuses("is not finite", [&](Population &p) { p.threshold = infinite; });
@@ -149,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_population_that_its_innovations_do_not_explain_is_not_sav
 BOOST_AUTO_TEST_CASE(any_damage_is_refused_or_leaves_a_population_that_can_breed) {
     const NetworkShape shape{3, 2, false};
     const Parameters parameters = small();
-    Population population = initial_population(shape, parameters, seed);
+    Population population = initial_population(shape, parameters.neat, seed);
     evolve(6, shape, parameters, population);
     const std::string whole = saved(population);
     Stream stream(9, 0, 0, Purpose::sampling);

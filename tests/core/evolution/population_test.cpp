@@ -10,7 +10,7 @@
 using namespace planula;
 
 BOOST_AUTO_TEST_CASE(the_first_generation_links_every_input_to_every_output) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     const Population population = initial_population({9, 6, false}, parameters, 3);
     BOOST_TEST(population.generation == 0);
     BOOST_TEST(population.genomes.size() == 300u);
@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(the_first_generation_links_every_input_to_every_output) {
 }
 
 BOOST_AUTO_TEST_CASE(initial_weights_come_from_the_stream_of_their_slot) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     const Population population = initial_population({9, 5, true}, parameters, 42);
     for (const int slot : {0, 1, 299}) {
         Stream stream(42, 0, slot, Purpose::initial_weights);
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(initial_weights_come_from_the_stream_of_their_slot) {
 }
 
 BOOST_AUTO_TEST_CASE(a_small_threshold_makes_many_species_from_the_start) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.population = 50;
     parameters.compatibility_threshold = parameters.compatibility_floor = 0.5;
     const Population population = initial_population({9, 6, false}, parameters, 1);

@@ -47,12 +47,12 @@ inline Population far_apart(const std::vector<int> &sizes) {
 /// Children are copies of their mothers, so that species sizes are quotas; far_apart() is far enough.
 inline Parameters frozen(int population) {
     Parameters parameters;
-    parameters.population = population;
-    parameters.add_node_rate = parameters.add_link_rate = parameters.remove_link_rate = 0;
-    parameters.weight_power = parameters.weight_severe_rate = 0;
-    parameters.crossover_rate = 0;
-    parameters.clone_tries = 1;
-    parameters.weight_coefficient = 100;
+    parameters.neat.population = population;
+    parameters.neat.add_node_rate = parameters.neat.add_link_rate = parameters.neat.remove_link_rate = 0;
+    parameters.neat.weight_power = parameters.neat.weight_severe_rate = 0;
+    parameters.neat.crossover_rate = 0;
+    parameters.neat.clone_tries = 1;
+    parameters.neat.weight_coefficient = 100;
     return parameters;
 }
 

@@ -93,16 +93,16 @@ inline Row describe(const Population &population, const std::vector<double> &sco
 /// Rows of generations 0 … last.
 inline std::vector<Row> evolve(bool recurrent, int last, std::uint64_t seed) {
     Parameters parameters; // the library's, as its reference values are
-    parameters.start_weight = parameters.weight_power = 1;
-    parameters.weight_step = 0;
-    Population population = initial_population(shape(recurrent), parameters, seed);
+    parameters.neat.start_weight = parameters.neat.weight_power = 1;
+    parameters.neat.weight_step = 0;
+    Population population = initial_population(shape(recurrent), parameters.neat, seed);
     std::vector<Row> rows;
     for (;;) {
         std::vector<double> scores;
         for (const auto &genome : population.genomes) scores.push_back(fitness(genome, recurrent));
         rows.push_back(describe(population, scores));
         if (population.generation == last) return rows;
-        population = reproduce(population, scores, Adjustment::sharing, recurrent, parameters, seed);
+        population = reproduce(population, scores, Adjustment::sharing, recurrent, parameters.neat, seed);
     }
 }
 

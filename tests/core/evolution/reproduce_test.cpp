@@ -26,7 +26,7 @@ std::vector<double> repeat(const std::vector<std::pair<int, double>> &runs) {
 }
 
 Population next_of(const Population &population, const std::vector<double> &scores,
-                   const Parameters &parameters, bool shared = true) {
+                   const NeatParameters &parameters, bool shared = true) {
     const Adjustment adjustment = shared ? Adjustment::sharing : Adjustment::none;
     return reproduce(population, scores, adjustment, false, parameters, 1);
 }
@@ -49,19 +49,19 @@ using Sizes = std::vector<int>;
 BOOST_AUTO_TEST_CASE(shared_scores_give_each_species_its_mean_and_unshared_ones_its_sum) {
     const Population population = far_apart({6, 2});
     const auto scores = repeat({{6, 3}, {2, 1}});
-    BOOST_TEST(sizes(next_of(population, scores, frozen(8))) == (Sizes{6, 2}), per_element());
-    BOOST_TEST(sizes(next_of(population, scores, frozen(8), false)) == (Sizes{7, 1}),
+    BOOST_TEST(sizes(next_of(population, scores, frozen(8).neat)) == (Sizes{6, 2}), per_element());
+    BOOST_TEST(sizes(next_of(population, scores, frozen(8).neat, false)) == (Sizes{7, 1}),
                per_element()); // 7.2, 0.8
 }
 
 BOOST_AUTO_TEST_CASE(halves_are_rounded_up_and_the_last_born_are_too_many) {
-    const Population next = next_of(far_apart({2, 3}), repeat({{5, 1}}), frozen(5)); // 2.5 each
+    const Population next = next_of(far_apart({2, 3}), repeat({{5, 1}}), frozen(5).neat); // 2.5 each
     BOOST_TEST(sizes(next) == (Sizes{3, 2}), per_element());
     BOOST_TEST(next.genomes.size() == 5u);
 }
 
 BOOST_AUTO_TEST_CASE(what_rounding_leaves_open_is_filled) {
-    const Population next = next_of(far_apart({4, 3, 3}), repeat({{10, 1}}), frozen(10)); // 3.33 each
+    const Population next = next_of(far_apart({4, 3, 3}), repeat({{10, 1}}), frozen(10).neat); // 3.33 each
     BOOST_TEST(sizes(next) == (Sizes{4, 3, 3}), per_element());
     BOOST_TEST((next.genomes[3].origin == Origin::filler));
     BOOST_TEST(next.genomes[3].mother == next.genomes[0].id);
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(species_are_ranked_by_their_best_before_this_generation) {
     population.best_ever = 5;
     const double best[] = {2, 5, 2, 3};
     for (int i = 0; i < 4; ++i) population.species[i].best_ever = best[i];
-    const Population next = next_of(population, {9, 1, 8, 7}, frozen(40));
+    const Population next = next_of(population, {9, 1, 8, 7}, frozen(40).neat);
     Sizes ids;
     for (const auto &species : next.species) ids.push_back(species.id);
     BOOST_TEST(ids == (Sizes{1, 3, 0, 2}), per_element()); // equals keep their order
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(species_are_ranked_by_their_best_before_this_generation) {
 
 BOOST_AUTO_TEST_CASE(the_champion_is_copied_unchanged_and_first) {
     const Population population = populations::of({{1, 2, 3, 4}});
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.population = 40;
     const Population next = next_of(population, {1, 5, 7, 7}, parameters); // the first of equals
     const Genome &champion = next.genomes[0];
@@ -103,7 +103,8 @@ BOOST_AUTO_TEST_CASE(the_first_species_at_the_record_holds_the_mark_by_what_was_
     population.species[0].best_ever = 3;
     population.species[1].best_ever = 4;
     population.species[2].best_ever = 4;
-    const Population next = next_of(population, {100, 1, 1}, frozen(300)); // the record falls, the mark stays
+    const Population next =
+        next_of(population, {100, 1, 1}, frozen(300).neat); // the record falls, the mark stays
     BOOST_TEST(!find(next, 0)->best);
     BOOST_TEST(find(next, 1)->best);
     BOOST_TEST(!find(next, 2)->best);
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(the_first_species_at_the_record_holds_the_mark_by_what_was_
     // One generation later the mark has moved, and its old holder is young again.
     Population later = next;
     for (auto &species : later.species) species.age = species.stagnation = 20;
-    const Population last = next_of(later, std::vector<double>(later.genomes.size(), 1), frozen(300));
+    const Population last = next_of(later, std::vector<double>(later.genomes.size(), 1), frozen(300).neat);
     BOOST_TEST(find(last, 0)->best);
     BOOST_TEST(find(last, 0)->age == 21);
     BOOST_TEST(!find(last, 1)->best);
@@ -127,14 +128,14 @@ BOOST_AUTO_TEST_CASE(nobody_is_marked_if_the_species_of_the_record_is_gone) {
     population.species[0].best_ever = 4;
     population.species[0].best = true;
     population.species[0].age = 8;
-    const Population next = next_of(population, {1, 1}, frozen(10));
+    const Population next = next_of(population, {1, 1}, frozen(10).neat);
     for (const auto &species : next.species) BOOST_TEST(!species.best);
     BOOST_TEST(find(next, 0)->age == 0); // it has lost the mark
     BOOST_TEST(find(next, 1)->age == 1);
 }
 
 BOOST_AUTO_TEST_CASE(in_generation_zero_the_first_species_holds_the_mark) {
-    const Population next = next_of(far_apart({1, 1}), {1, 2}, frozen(10));
+    const Population next = next_of(far_apart({1, 1}), {1, 2}, frozen(10).neat);
     BOOST_TEST(find(next, 0)->best);
     BOOST_TEST(!find(next, 1)->best);
     BOOST_TEST(next.best_ever == 2);
@@ -143,7 +144,7 @@ BOOST_AUTO_TEST_CASE(in_generation_zero_the_first_species_holds_the_mark) {
 BOOST_AUTO_TEST_CASE(the_factors_of_age_go_without_division_by_size) {
     // Six members of score 1 against two: the share is by the sum, and a young species has its boost.
     Population population = populations::far_apart({6, 2});
-    Parameters parameters = frozen(40);
+    NeatParameters parameters = frozen(40).neat;
     parameters.young_boost = 3;
     population.species[0].age = parameters.young_age;
     const Population next =
@@ -156,7 +157,7 @@ BOOST_AUTO_TEST_CASE(young_species_are_boosted_and_old_ones_are_not_while_shared
     population.species[0].age = 3;  // 4 when it counts: young
     population.species[1].age = 4;  // 5: not young
     population.species[2].age = 30; // 31: old
-    Parameters parameters = frozen(310);
+    NeatParameters parameters = frozen(310).neat;
     BOOST_TEST(sizes(next_of(population, {1, 1, 1}, parameters)) == (Sizes{110, 100, 100}), per_element());
     parameters.old_penalty = 0.1;
     BOOST_TEST(sizes(next_of(population, {1, 1, 1}, parameters)) == (Sizes{155, 141, 14}), per_element());
@@ -179,7 +180,7 @@ BOOST_AUTO_TEST_CASE(stagnating_species_breed_nothing_unless_best_or_rising_or_u
         population.species[i].stagnation = stagnation[i];
     }
     const auto scores = repeat({{2, 5}, {2, 5}, {2, 5}, {1, 4}, {1, 6}}); // the last rises from 5 to 6
-    const Population next = next_of(population, scores, frozen(30));
+    const Population next = next_of(population, scores, frozen(30).neat);
     BOOST_TEST(find(next, 0)->members.size() == 10u); // marked as best
     BOOST_TEST(!has(next, 1));                        // 51 > 50; equalling the best is no rise
     BOOST_TEST(find(next, 2)->members.size() == 10u); // 50
@@ -188,17 +189,17 @@ BOOST_AUTO_TEST_CASE(stagnating_species_breed_nothing_unless_best_or_rising_or_u
     BOOST_TEST(find(next, 3)->best_ever == 6);
     BOOST_TEST(find(next, 2)->stagnation == 50);
 
-    BOOST_TEST(sizes(next_of(population, scores, frozen(40), false)) == (Sizes{10, 10, 10, 10}),
+    BOOST_TEST(sizes(next_of(population, scores, frozen(40).neat, false)) == (Sizes{10, 10, 10, 10}),
                per_element());
 }
 
 BOOST_AUTO_TEST_CASE(scores_of_zero_count_as_the_floor_in_both_searches) {
     const Population population = far_apart({3, 1});
     for (const bool shared : {true, false}) {
-        const Population next = next_of(population, {0, 0, 0, 0}, frozen(40), shared);
+        const Population next = next_of(population, {0, 0, 0, 0}, frozen(40).neat, shared);
         BOOST_TEST(sizes(next) == (shared ? Sizes{20, 20} : Sizes{30, 10}), per_element());
         BOOST_TEST(next.best_ever == 0); // the population's record is the bare score
-        const Population weighed = next_of(population, {0, 0, 0, 3e-4}, frozen(40), shared);
+        const Population weighed = next_of(population, {0, 0, 0, 3e-4}, frozen(40).neat, shared);
         BOOST_TEST(sizes(weighed) == (shared ? Sizes{10, 30} : Sizes{20, 20}), per_element());
     }
 }
@@ -207,7 +208,7 @@ BOOST_AUTO_TEST_CASE(the_threshold_keeps_the_number_of_species_in_its_range) {
     const auto threshold_after = [](int species, double threshold) {
         Population population = far_apart(Sizes(species, 1));
         population.threshold = threshold;
-        Parameters parameters = frozen(species);
+        NeatParameters parameters = frozen(species).neat;
         return next_of(population, std::vector<double>(species, 1), parameters).threshold;
     };
     BOOST_TEST(threshold_after(4, 5) == 5 - 0.2);
@@ -226,12 +227,12 @@ BOOST_AUTO_TEST_CASE(the_threshold_counts_species_before_extinction_and_places_t
         population.species[i].best_ever = 5;
         population.species[i].stagnation = 60;
     }
-    const Population next = next_of(population, {1, 1, 1, 1, 1}, frozen(5));
+    const Population next = next_of(population, {1, 1, 1, 1, 1}, frozen(5).neat);
     BOOST_TEST(sizes(next) == (Sizes{5}), per_element());
     BOOST_TEST(next.threshold == 5);
 
     // A child at 4.9 from its species: within the threshold of before, but not within the one that has moved.
-    Parameters parameters = frozen(1);
+    NeatParameters parameters = frozen(1).neat;
     parameters.weight_coefficient = 1;
     Population pair = populations::of({{0, 4.9}});
     BOOST_TEST(next_of(pair, {1, 2}, parameters).species[0].id == 1);
@@ -246,7 +247,7 @@ BOOST_AUTO_TEST_CASE(a_species_that_breeds_nothing_still_takes_in_children) {
     population.species[0].best_ever = 9;
     population.species[1].best_ever = 5;
     population.species[1].stagnation = 60;
-    Parameters parameters = frozen(6);
+    NeatParameters parameters = frozen(6).neat;
     parameters.survival_rate = 0;
     population.genomes[0].links[0].weight = 4; // the representative is still the one at 0
     const Population next = next_of(population, {2, 1, 1, 1}, parameters);
@@ -264,11 +265,11 @@ BOOST_AUTO_TEST_CASE(scores_that_are_not_numbers_or_too_few_are_a_broken_promise
                                               {1, -1},
                                               {1, std::numeric_limits<double>::quiet_NaN()},
                                               {1, std::numeric_limits<double>::infinity()}})
-        BOOST_CHECK_THROW(next_of(population, scores, frozen(2)), InternalError);
+        BOOST_CHECK_THROW(next_of(population, scores, frozen(2).neat), InternalError);
 }
 
 BOOST_AUTO_TEST_CASE(every_generation_of_a_long_run_is_sound_and_repeats_bit_for_bit) {
-    Parameters parameters = specimens::structural();
+    NeatParameters parameters = specimens::structural();
     parameters.population = 60;
     for (const bool recurrent : {false, true})
         for (const Adjustment adjustment : {Adjustment::none, Adjustment::age, Adjustment::sharing}) {
@@ -315,7 +316,7 @@ BOOST_AUTO_TEST_CASE(every_generation_of_a_long_run_is_sound_and_repeats_bit_for
 
 BOOST_AUTO_TEST_CASE(another_seed_or_generation_draws_other_children) {
     Population population = populations::of({{1, 2, 3, 4}});
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.population = 20;
     const std::vector<double> scores{4, 3, 2, 1};
     const auto children = [&](std::uint64_t seed) {

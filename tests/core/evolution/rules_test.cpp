@@ -34,7 +34,7 @@ Population after(const Population &population, const std::vector<double> &score_
     std::vector<double> scores(population.genomes.size());
     for (const Species &species : population.species)
         for (const int member : species.members) scores[member] = score_of[species.id];
-    return reproduce(population, scores, Adjustment::sharing, false, parameters, 1);
+    return reproduce(population, scores, Adjustment::sharing, false, parameters.neat, 1);
 }
 
 /// Whether links can be followed for ever.
@@ -61,45 +61,45 @@ bool has_cycle(const Genome &genome) {
 
 BOOST_AUTO_TEST_CASE(numbers_of_the_library_are_the_librarys) {
     const Parameters p;
-    BOOST_TEST(p.compatibility_threshold == 5);
-    BOOST_TEST(p.compatibility_floor == 0.2);
-    BOOST_TEST(p.compatibility_step == 0.2);
-    BOOST_TEST(p.species_low == 5);
-    BOOST_TEST(p.species_high == 10);
-    BOOST_TEST(p.disjoint_coefficient == 1);
-    BOOST_TEST(p.excess_coefficient == 1);
-    BOOST_TEST(p.weight_coefficient == 1.5);
-    BOOST_TEST(p.young_age == 5);
-    BOOST_TEST(p.young_boost == 1.1);
-    BOOST_TEST(p.old_age == 30);
-    BOOST_TEST(p.old_penalty == 1);
-    BOOST_TEST(p.stagnation_limit == 50);
-    BOOST_TEST(p.stagnation_penalty == 1e-7);
-    BOOST_TEST(p.fitness_floor == 1e-4);
-    BOOST_TEST(p.survival_rate == 0.25);
-    BOOST_TEST(p.crossover_rate == 0.75);
-    BOOST_TEST(p.multipoint_rate == 0.75);
-    BOOST_TEST(p.interspecies_rate == 1e-4);
-    BOOST_TEST(p.mutation_rate == 0.25);
-    BOOST_TEST(p.add_node_rate == 0.01);
-    BOOST_TEST(p.add_link_rate == 0.07);
-    BOOST_TEST(p.remove_link_rate == 0.01);
-    BOOST_TEST(p.mutate_weights_rate == 0.75);
-    BOOST_TEST(p.weight_severe_rate == 0.25);
-    BOOST_TEST(p.weight_replacement == 1);
-    BOOST_TEST(p.weight_limit == 8);
-    BOOST_TEST(p.recurrent_rate == 0.25);
-    BOOST_TEST(p.loop_rate == 0.25);
-    BOOST_TEST(p.link_tries == 128);
-    BOOST_TEST(p.split_tries == 32);
-    BOOST_TEST(p.operator_tries == 64);
-    BOOST_TEST(p.mate_tries == 32);
-    BOOST_TEST(p.clone_tries == 40);
-    BOOST_TEST(p.clone_distance == 1e-5);
-    BOOST_TEST(p.archive_threshold == 0.5);
-    BOOST_TEST(p.archive_floor == 0.05);
-    BOOST_TEST(p.archive_raise == 1.1);
-    BOOST_TEST(p.archive_lower == 0.9);
+    BOOST_TEST(p.neat.compatibility_threshold == 5);
+    BOOST_TEST(p.neat.compatibility_floor == 0.2);
+    BOOST_TEST(p.neat.compatibility_step == 0.2);
+    BOOST_TEST(p.neat.species_low == 5);
+    BOOST_TEST(p.neat.species_high == 10);
+    BOOST_TEST(p.neat.disjoint_coefficient == 1);
+    BOOST_TEST(p.neat.excess_coefficient == 1);
+    BOOST_TEST(p.neat.weight_coefficient == 1.5);
+    BOOST_TEST(p.neat.young_age == 5);
+    BOOST_TEST(p.neat.young_boost == 1.1);
+    BOOST_TEST(p.neat.old_age == 30);
+    BOOST_TEST(p.neat.old_penalty == 1);
+    BOOST_TEST(p.neat.stagnation_limit == 50);
+    BOOST_TEST(p.neat.stagnation_penalty == 1e-7);
+    BOOST_TEST(p.neat.fitness_floor == 1e-4);
+    BOOST_TEST(p.neat.survival_rate == 0.25);
+    BOOST_TEST(p.neat.crossover_rate == 0.75);
+    BOOST_TEST(p.neat.multipoint_rate == 0.75);
+    BOOST_TEST(p.neat.interspecies_rate == 1e-4);
+    BOOST_TEST(p.neat.mutation_rate == 0.25);
+    BOOST_TEST(p.neat.add_node_rate == 0.01);
+    BOOST_TEST(p.neat.add_link_rate == 0.07);
+    BOOST_TEST(p.neat.remove_link_rate == 0.01);
+    BOOST_TEST(p.neat.mutate_weights_rate == 0.75);
+    BOOST_TEST(p.neat.weight_severe_rate == 0.25);
+    BOOST_TEST(p.neat.weight_replacement == 1);
+    BOOST_TEST(p.neat.weight_limit == 8);
+    BOOST_TEST(p.neat.recurrent_rate == 0.25);
+    BOOST_TEST(p.neat.loop_rate == 0.25);
+    BOOST_TEST(p.neat.link_tries == 128);
+    BOOST_TEST(p.neat.split_tries == 32);
+    BOOST_TEST(p.neat.operator_tries == 64);
+    BOOST_TEST(p.neat.mate_tries == 32);
+    BOOST_TEST(p.neat.clone_tries == 40);
+    BOOST_TEST(p.neat.clone_distance == 1e-5);
+    BOOST_TEST(p.novelty.archive_threshold == 0.5);
+    BOOST_TEST(p.novelty.archive_floor == 0.05);
+    BOOST_TEST(p.novelty.archive_raise == 1.1);
+    BOOST_TEST(p.novelty.archive_lower == 0.9);
 }
 
 BOOST_AUTO_TEST_CASE(ages_stagnation_records_and_the_mark_go_as_worked_by_hand) {
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(children_try_species_in_the_order_of_their_records) {
     for (int i = 0; i < 3; ++i) population.species[i].best_ever = records[i];
     population.best_ever = 3;
     Parameters parameters = frozen(12);
-    parameters.weight_coefficient = 1;
+    parameters.neat.weight_coefficient = 1;
     const Population next = after(population, {1, 1, 1}, parameters);
     BOOST_REQUIRE(next.species.size() == 1u);
     BOOST_TEST(next.species[0].id == 1);
@@ -222,44 +222,44 @@ BOOST_AUTO_TEST_CASE(the_threshold_has_no_ceiling) {
 BOOST_AUTO_TEST_CASE(innovations_are_kept_for_the_whole_run) {
     // The same link is split in two generations far apart: one and the same node.
     Parameters splitting;
-    splitting.population = 4;
-    splitting.add_node_rate = 1;
-    splitting.add_link_rate = splitting.remove_link_rate = splitting.mutate_weights_rate = 0;
+    splitting.neat.population = 4;
+    splitting.neat.add_node_rate = 1;
+    splitting.neat.add_link_rate = splitting.neat.remove_link_rate = splitting.neat.mutate_weights_rate = 0;
     Population population = populations::of({{1, 2}});
     const std::vector<double> scores{1, 1};
-    const Population early = reproduce(population, scores, Adjustment::sharing, false, splitting, 1);
+    const Population early = reproduce(population, scores, Adjustment::sharing, false, splitting.neat, 1);
     const int node = early.innovations.splits(0, 2)[0];
     Population later = early;
     for (int generation = 0; generation < 5; ++generation)
-        later = reproduce(later, std::vector<double>(4, 1), Adjustment::sharing, false, frozen(4), 1);
+        later = reproduce(later, std::vector<double>(4, 1), Adjustment::sharing, false, frozen(4).neat, 1);
     BOOST_TEST(later.innovations.splits(0, 2)[0] == node);
     Innovations record = later.innovations;
     Genome plain = population.genomes[0];
     Stream stream = specimens::stream(1);
-    BOOST_REQUIRE(add_node(splitting, false, record, stream, plain));
+    BOOST_REQUIRE(add_node(splitting.neat, false, record, stream, plain));
     BOOST_TEST(plain.nodes.back().id == node);
 }
 
 BOOST_AUTO_TEST_CASE(no_two_children_of_a_generation_are_alike) {
     const Parameters parameters;
-    Population population = initial_population({4, 2, false}, parameters, 3);
+    Population population = initial_population({4, 2, false}, parameters.neat, 3);
     for (int generation = 0; generation < 3; ++generation) {
         std::vector<double> scores;
         for (const Genome &genome : population.genomes)
             scores.push_back(1 + static_cast<double>(genome.id % 7));
-        population = reproduce(population, scores, Adjustment::sharing, false, parameters, 3);
+        population = reproduce(population, scores, Adjustment::sharing, false, parameters.neat, 3);
         std::vector<Genome> before;
         for (const Genome &genome : population.genomes) {
             if (genome.origin == Origin::filler) continue;
             BOOST_TEST_REQUIRE((genome.origin != Origin::clone)); // tries 2 to 40 have changed its weights
-            BOOST_TEST_REQUIRE(!is_clone(genome, before, parameters));
+            BOOST_TEST_REQUIRE(!is_clone(genome, before, parameters.neat));
             before.push_back(genome);
         }
     }
 }
 
 BOOST_AUTO_TEST_CASE(feed_forward_populations_stay_without_cycles) {
-    Parameters parameters = specimens::structural();
+    NeatParameters parameters = specimens::structural();
     parameters.population = 80;
     parameters.interspecies_rate = 0.2; // fathers from anywhere bring all their links
     Population population = initial_population({4, 3, false}, parameters, 8);
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(feed_forward_populations_stay_without_cycles) {
 BOOST_AUTO_TEST_CASE(a_link_to_split_is_drawn_so_often_and_no_more) {
     // One of four links may be split; with two draws the operator fails in (3/4)² of all cases.
     Parameters parameters;
-    parameters.split_tries = 2;
+    parameters.neat.split_tries = 2;
     Genome genome = specimens::bare(2, 4);
     Innovations innovations(6);
     for (const auto &[from, to] : {std::pair{1, 2}, {1, 3}, {1, 4}, {0, 5}})
@@ -293,20 +293,20 @@ BOOST_AUTO_TEST_CASE(a_link_to_split_is_drawn_so_often_and_no_more) {
     for (int n = 0; n < 4000; ++n) {
         Genome copy = genome;
         Stream stream = specimens::stream(n);
-        failures += !add_node(parameters, false, innovations, stream, copy);
+        failures += !add_node(parameters.neat, false, innovations, stream, copy);
     }
     BOOST_TEST(std::abs(failures - 2250) < 160);
 }
 
 BOOST_AUTO_TEST_CASE(the_archive_and_its_threshold_go_as_worked_by_hand) {
     Parameters parameters;
-    parameters.novelty_neighbours = 1;
-    parameters.archive_threshold = 1;
-    parameters.archive_run = 2;
-    parameters.archive_raise = 1.5;
-    parameters.archive_patience = 2;
-    parameters.archive_lower = 0.5;
-    parameters.archive_floor = 0.625;
+    parameters.novelty.novelty_neighbours = 1;
+    parameters.novelty.archive_threshold = 1;
+    parameters.novelty.archive_run = 2;
+    parameters.novelty.archive_raise = 1.5;
+    parameters.novelty.archive_patience = 2;
+    parameters.novelty.archive_lower = 0.5;
+    parameters.novelty.archive_floor = 0.625;
     constexpr double invalid = -1;
     struct Expected {
         std::vector<double> places; // on a line

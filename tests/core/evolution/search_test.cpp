@@ -19,8 +19,8 @@ namespace {
 
 Parameters of(int population) {
     Parameters parameters;
-    parameters.population = population;
-    parameters.archive_patience = 3;
+    parameters.neat.population = population;
+    parameters.novelty.archive_patience = 3;
     return parameters;
 }
 
@@ -38,7 +38,7 @@ bool reads_behaviour(std::string_view name) { return name != "neat"; }
 
 void check_generation(const ToyRun &run) {
     const Population &p = run.population;
-    BOOST_TEST_REQUIRE(static_cast<int>(p.genomes.size()) == run.parameters.population);
+    BOOST_TEST_REQUIRE(static_cast<int>(p.genomes.size()) == run.parameters.neat.population);
     std::vector<int> slots;
     for (const Species &species : p.species)
         slots.insert(slots.end(), species.members.begin(), species.members.end());

@@ -27,7 +27,7 @@ Population waiting() {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_child_joins_the_first_compatible_species_in_list_order) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Population population = waiting();
     for (const double weight : {5.0, 2.9, 3.0, -1.0}) // 2.9 and 3 are near the second, but the first is first
         add_child(parameters, population, with_weight(weight, population.innovations));
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(a_child_joins_the_first_compatible_species_in_list_order) {
 }
 
 BOOST_AUTO_TEST_CASE(a_distance_equal_to_the_threshold_is_compatible) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.weight_coefficient = 1;
     Population population = waiting();
     add_child(parameters, population, with_weight(-5, population.innovations));
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_distance_equal_to_the_threshold_is_compatible) {
 }
 
 BOOST_AUTO_TEST_CASE(a_stranger_founds_a_species_at_the_end_and_represents_it) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Population population = waiting();
     const std::int64_t first = population.next_genome;
     add_child(parameters, population, with_weight(-8, population.innovations));
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_stranger_founds_a_species_at_the_end_and_represents_it) {
 }
 
 BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_born) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Population population = waiting();
     add_child(parameters, population, with_weight(-3, population.innovations)); // 4.5 from 0
     add_child(parameters, population, with_weight(-6, population.innovations)); // 4.5 from -3, 9 from 0
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_born
 }
 
 BOOST_AUTO_TEST_CASE(settling_orders_slots_by_species_and_drops_the_empty) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Population population = populations::of({{0}, {7}, {3}});
     for (auto &species : population.species) species.members.clear();
     population.genomes.clear();
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(settling_orders_slots_by_species_and_drops_the_empty) {
 }
 
 BOOST_AUTO_TEST_CASE(a_deficit_is_filled_with_copies_of_the_first_species_first_member) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Population population = waiting();
     for (const double weight : {5.0, 1.0, 2.0})
         add_child(parameters, population, with_weight(weight, population.innovations));
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_deficit_is_filled_with_copies_of_the_first_species_first_
 }
 
 BOOST_AUTO_TEST_CASE(no_children_or_too_many_are_a_broken_promise) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Population population = waiting();
     BOOST_CHECK_THROW(settle(2, population), InternalError);
     for (int i = 0; i < 3; ++i) add_child(parameters, population, with_weight(0, population.innovations));

@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(every_parameter_that_decides_lives_is_in_the_identity_and_n
 BOOST_AUTO_TEST_CASE(what_only_says_how_a_run_is_called_or_how_much_is_done_is_no_part_of_it) {
     BOOST_TEST(changed([](Spec &s) { s.name = "other"; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.title = "Other"; }).empty());
-    BOOST_TEST(changed([](Spec &s) { s.parameters.generations = 7; }).empty());
-    BOOST_TEST(changed([](Spec &s) { s.parameters.seeds = 7; }).empty());
+    BOOST_TEST(changed([](Spec &s) { s.parameters.design.generations = 7; }).empty());
+    BOOST_TEST(changed([](Spec &s) { s.parameters.design.seeds = 7; }).empty());
     BOOST_TEST(changed([](Spec &s) { set_parameter(s.parameters, "confidence", 0.5); }).empty());
     BOOST_TEST(changed([](Spec &s) { s.record = Recording::sample; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.judgement[0].place = "elsewhere.lua:99"; }).empty());
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_the_record_does_not_know_had_its_standard_
     BOOST_TEST(differences(older, whole).empty());
     BOOST_TEST(differences(whole, older).empty());
     Spec other = setting();
-    other.parameters.gravity = 1;
+    other.parameters.land.gravity = 1;
     BOOST_TEST((differences(older, identity_of(other, seed)) ==
                 std::vector<std::string>{"parameter gravity: recorded with 5, asked for with 1"}));
 

@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(only_the_mothers_of_the_population_are_loaded) {
 BOOST_AUTO_TEST_CASE(in_every_search_every_changed_child_finds_its_mothers_own_life) {
     for (const std::string_view search : search_names()) {
         Spec spec = swimmers(search, Actuation::oscillator, 12, 100);
-        spec.parameters.generations = 6;
+        spec.parameters.design.generations = 6;
         Seen seen;
         run(spec, 3, 2, [&](const Generation &g) {
             for (std::size_t slot = 0; slot < g.lives.size(); ++slot) {

@@ -14,7 +14,7 @@ namespace {
 
 Spec small(std::string_view search, Actuation actuation) {
     Spec spec = swimmers(search, actuation, 8, 100);
-    spec.parameters.archive_threshold = 0.01;
+    spec.parameters.novelty.archive_threshold = 0.01;
     return spec;
 }
 

@@ -48,7 +48,7 @@ std::string signature_without_memo(const Spec &spec, std::uint64_t seed) {
                       state.mothers,
                       static_cast<int>(best),
                       {}});
-        if (population.generation + 1 == spec.parameters.generations) return hash.hex();
+        if (population.generation + 1 == spec.parameters.design.generations) return hash.hex();
         population = state.search->next(population, scores, shape_of(spec.actuation), seed);
     }
 }
@@ -86,8 +86,8 @@ BOOST_AUTO_TEST_CASE(every_generation_is_observed_once_and_complete) {
 BOOST_AUTO_TEST_CASE(the_best_fitness_never_falls_when_fitness_is_searched) {
     // Each species breeds an unchanged copy of its champion, and evaluation is pure.
     Spec spec = small("neat");
-    spec.parameters.population = 20;
-    spec.parameters.generations = 6;
+    spec.parameters.neat.population = 20;
+    spec.parameters.design.generations = 6;
     double best = 0;
     run(spec, 5, 2, [&](const Generation &generation) {
         const double now = generation.evaluations[generation.best].fitness;

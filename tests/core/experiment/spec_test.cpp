@@ -59,6 +59,6 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_setting_is_said) {
     unborn.start->generations = 1;
     refused(unborn, "has no behaviour");
     Spec inconsistent = good();
-    inconsistent.parameters.period_shortest = 500;
+    inconsistent.parameters.gait.period_shortest = 500;
     refused(inconsistent, "period_shortest");
 }

@@ -20,11 +20,11 @@ Spec with_start(int generations, int *lives = nullptr, Actuation actuation = Act
     Spec spec;
     spec.name = "start";
     spec.actuation = actuation;
-    spec.actuation_range = spec.parameters.actuation_range_aquatic;
+    spec.actuation_range = spec.parameters.water.actuation_range_aquatic;
     spec.environment = specimens::water();
-    spec.parameters.population = 24;
-    spec.parameters.generations = 2;
-    spec.parameters.locomotion_steps = 200;
+    spec.parameters.neat.population = 24;
+    spec.parameters.design.generations = 2;
+    spec.parameters.gait.locomotion_steps = 200;
     spec.judge = [](const Life &life) {
         return Evaluation{life.displacement(), {life.end.x}, life.outcome == Outcome::viable ? 1.0 : 0.0};
     };
@@ -55,7 +55,7 @@ int sizes_in(const Population &population, const Spec &spec) {
 BOOST_AUTO_TEST_CASE(without_a_start_generation_0_is_random) {
     Spec spec = with_start(3);
     spec.start.reset();
-    const Population random = initial_population(shape_of(spec.actuation), spec.parameters, 4);
+    const Population random = initial_population(shape_of(spec.actuation), spec.parameters.neat, 4);
     BOOST_TEST((first_of(spec, 4).genomes == random.genomes));
 }
 
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(generation_0_is_whole_and_without_a_past) {
     BOOST_TEST(lives == 6 * 24);
     BOOST_TEST(first.generation == 0);
     BOOST_TEST(first.next_genome == 24);
-    BOOST_TEST(first.threshold == spec.parameters.compatibility_threshold);
+    BOOST_TEST(first.threshold == spec.parameters.neat.compatibility_threshold);
     BOOST_REQUIRE(first.genomes.size() == 24u);
     std::set<std::int64_t> ids;
     int mutated = 0;
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(bodies_become_more_diverse) {
     int before = 0, after = 0;
     for (const std::uint64_t seed : {1, 2}) {
         after += sizes_in(first_of(spec, seed), spec);
-        before += sizes_in(initial_population(shape_of(spec.actuation), spec.parameters, seed), spec);
+        before += sizes_in(initial_population(shape_of(spec.actuation), spec.parameters.neat, seed), spec);
     }
     BOOST_TEST(after > before);
 }

@@ -14,12 +14,12 @@ inline Spec swimmers(std::string_view search, Actuation actuation, int populatio
     Spec spec;
     spec.name = "small";
     spec.actuation = actuation;
-    spec.actuation_range = spec.parameters.actuation_range_aquatic;
+    spec.actuation_range = spec.parameters.water.actuation_range_aquatic;
     spec.search = search;
     spec.environment = specimens::water();
-    spec.parameters.population = population;
-    spec.parameters.generations = 4;
-    spec.parameters.locomotion_steps = locomotion_steps;
+    spec.parameters.neat.population = population;
+    spec.parameters.design.generations = 4;
+    spec.parameters.gait.locomotion_steps = locomotion_steps;
     spec.judge = [](const Life &life) {
         const bool viable = life.outcome == Outcome::viable;
         return Evaluation{life.displacement(), {life.end.x, life.end.y}, viable ? 1.0 : 0.0};

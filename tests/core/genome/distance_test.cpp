@@ -12,7 +12,7 @@ using namespace planula;
 using specimens::linked;
 
 BOOST_AUTO_TEST_CASE(distance_counts_links_and_averages_weights_and_ignores_size) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     // Matching 1 and 4 with |Δw| 0.5 and 1.5; disjoint 2 and 3; excess 7 and 8: 4 + 1.5 · 1.
     const Genome a = linked({{1, 1}, {2, 9}, {4, -1}}),
                  b = linked({{1, 0.5}, {3, 9}, {4, 0.5}, {7, 9}, {8, 9}});
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(distance_counts_links_and_averages_weights_and_ignores_size
 
 BOOST_AUTO_TEST_CASE(each_coefficient_weighs_its_own_part) {
     const Genome a = linked({{1, 1}, {2, 9}, {4, -1}}), b = linked({{1, 0.5}, {3, 9}, {4, 0.5}, {7, 9}});
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.disjoint_coefficient = 10;
     parameters.excess_coefficient = 100;
     parameters.weight_coefficient = 0.25;
@@ -39,14 +39,14 @@ BOOST_AUTO_TEST_CASE(each_coefficient_weighs_its_own_part) {
 }
 
 BOOST_AUTO_TEST_CASE(genomes_without_common_links_differ_by_their_links_alone) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     BOOST_TEST(distance(linked({}), linked({}), parameters) == 0);
     BOOST_TEST(distance(linked({{0, 5}, {1, 5}}), linked({}), parameters) == 2);
     BOOST_TEST(distance(linked({{0, 5}}), linked({{1, 5}}), parameters) == 2);
 }
 
 BOOST_AUTO_TEST_CASE(sums_over_many_are_those_of_pairs_to_the_bit) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.disjoint_coefficient = 0.7;
     parameters.excess_coefficient = 1.3;
     Stream stream(1, 0, 0, Purpose::sampling);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(sums_over_many_are_those_of_pairs_to_the_bit) {
 }
 
 BOOST_AUTO_TEST_CASE(a_clone_is_nearer_than_the_clone_distance_to_any_sibling) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     const std::vector<Genome> siblings{linked({{0, 1}, {1, 1}}), linked({{0, 2}, {1, 2}})};
     BOOST_TEST(is_clone(linked({{0, 2}, {1, 2}}), siblings, parameters));
     BOOST_TEST(is_clone(linked({{0, 2}, {1, 2 + 1e-5}}), siblings, parameters)); // δ = 0.75e-5
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(a_clone_is_nearer_than_the_clone_distance_to_any_sibling) {
 }
 
 BOOST_AUTO_TEST_CASE(a_clone_has_as_many_links_even_where_links_cost_nothing) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.disjoint_coefficient = parameters.excess_coefficient = 0;
     const std::vector<Genome> siblings{linked({{0, 1}, {1, 1}})};
     BOOST_TEST(!is_clone(linked({{0, 1}}), siblings, parameters));

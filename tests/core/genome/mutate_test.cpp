@@ -21,7 +21,7 @@ namespace {
 /// A genome after `steps` mutations, most of them structural; every one of them is checked. Only a link out
 /// of an output can make a dead end; it is taken back.
 Genome grow(Genome genome, int steps, bool recurrent, Innovations &innovations, Stream &stream) {
-    const Parameters parameters = specimens::structural();
+    const NeatParameters parameters = specimens::structural();
     for (int step = 0; step < steps; ++step) {
         const Genome before = genome;
         mutate(parameters, recurrent, innovations, stream, genome);
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(operators_keep_every_invariant_in_recurrent_genomes_too) {
 }
 
 BOOST_AUTO_TEST_CASE(the_two_ends_of_a_split_carry_one_and_the_old_weight) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations(3);
     Genome genome = bare(2, 1);
     genome.links = {{innovations.link(0, 2), 0, 2, -3.25, false}};
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_two_ends_of_a_split_carry_one_and_the_old_weight) {
 }
 
 BOOST_AUTO_TEST_CASE(the_same_split_gets_the_same_ids_and_a_repeated_one_the_next) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations(3);
     const LinkGene link{innovations.link(0, 2), 0, 2, 1, false};
     Genome plain = bare(2, 1);
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(the_same_split_gets_the_same_ids_and_a_repeated_one_the_nex
 }
 
 BOOST_AUTO_TEST_CASE(links_from_the_bias_are_never_split) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations(3);
     Genome genome = bare(2, 1);
     genome.links = {{innovations.link(1, 2), 1, 2, 1, false}};
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(links_from_the_bias_are_never_split) {
 }
 
 BOOST_AUTO_TEST_CASE(every_link_but_the_bias_is_split_equally_often) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations;
     const Genome ancestor = connected(4, 2, innovations);
     std::array<int, 8> splits{};
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(every_link_but_the_bias_is_split_equally_often) {
 }
 
 BOOST_AUTO_TEST_CASE(split_links_keep_their_recurrent_flag_loops_included) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations(3);
     Genome genome = bare(2, 1);
     genome.links = {{innovations.link(2, 2), 2, 2, 0.5, true}};
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(split_links_keep_their_recurrent_flag_loops_included) {
 }
 
 BOOST_AUTO_TEST_CASE(an_acyclic_link_too_short_in_depth_is_not_split) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Genome genome = bare(2, 1);
     genome.nodes.push_back({3, NodeKind::hidden, std::nextafter(1.0, 0.0)});
     Innovations innovations(4);
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(an_acyclic_link_too_short_in_depth_is_not_split) {
 }
 
 BOOST_AUTO_TEST_CASE(added_links_of_acyclic_networks_climb_and_those_of_full_networks_fail) {
-    Parameters parameters;
+    NeatParameters parameters;
     Innovations innovations;
     Genome genome = connected(3, 2, innovations);
     Stream stream = specimens::stream(6);
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(added_links_of_acyclic_networks_climb_and_those_of_full_net
 }
 
 BOOST_AUTO_TEST_CASE(recurrent_networks_also_take_level_backward_and_looped_links) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.link_tries = 10000;
     Innovations innovations;
     Genome genome = connected(3, 2, innovations);
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(recurrent_networks_also_take_level_backward_and_looped_link
 }
 
 BOOST_AUTO_TEST_CASE(recurrence_comes_in_the_shares_asked_for) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations;
     Genome ancestor = connected(3, 2, innovations);
     ancestor.nodes.push_back({5, NodeKind::hidden, 0.5});
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(recurrence_comes_in_the_shares_asked_for) {
 }
 
 BOOST_AUTO_TEST_CASE(a_link_is_removed_only_if_no_dead_end_is_left) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations(3);
     Genome genome = bare(2, 1);
     genome.nodes.push_back({3, NodeKind::hidden, 0.5});
@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(a_link_is_removed_only_if_no_dead_end_is_left) {
 }
 
 BOOST_AUTO_TEST_CASE(removal_draws_all_links_but_the_newest_equally) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations;
     const Genome ancestor = connected(3, 2, innovations);
     std::array<int, 6> removed{};
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(removal_draws_all_links_but_the_newest_equally) {
 }
 
 BOOST_AUTO_TEST_CASE(weights_are_all_replaced_or_all_moved_and_stay_within_the_limit) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.weight_power = 1;
     Innovations innovations;
     Genome ancestor = connected(9, 6, innovations);
@@ -303,7 +303,7 @@ BOOST_AUTO_TEST_CASE(weights_are_all_replaced_or_all_moved_and_stay_within_the_l
 }
 
 BOOST_AUTO_TEST_CASE(operators_are_drawn_by_their_weights_and_redrawn_when_they_fail) {
-    const Parameters parameters;
+    const NeatParameters parameters;
     Innovations innovations;
     Genome ancestor = connected(3, 2, innovations);
     ancestor.nodes.push_back({5, NodeKind::hidden, 0.5});
@@ -328,7 +328,7 @@ BOOST_AUTO_TEST_CASE(operators_are_drawn_by_their_weights_and_redrawn_when_they_
 
     // A full network has no room for a link, so that another operator takes the place.
     const Genome full = connected(3, 2, innovations);
-    Parameters mostly_links = parameters;
+    NeatParameters mostly_links = parameters;
     mostly_links.add_node_rate = mostly_links.remove_link_rate = 0;
     for (int n = 0; n < 100; ++n) {
         Genome genome = full;
@@ -365,7 +365,7 @@ BOOST_AUTO_TEST_CASE(dead_ends_are_what_leads_nowhere) {
 }
 
 BOOST_AUTO_TEST_CASE(weights_are_multiples_of_the_step) {
-    Parameters parameters;
+    NeatParameters parameters;
     parameters.weight_step = 0x1p-10;
     const auto is_multiple = [](const LinkGene &link) {
         return link.weight * 1024 == std::floor(link.weight * 1024);
@@ -380,7 +380,7 @@ BOOST_AUTO_TEST_CASE(weights_are_multiples_of_the_step) {
 }
 
 BOOST_AUTO_TEST_CASE(new_weights_keep_to_their_scale_and_to_the_limit) {
-    Parameters parameters;
+    NeatParameters parameters;
     Stream stream = specimens::stream(8);
     std::set<double> seen;
     for (int n = 0; n < 100; ++n) seen.insert(new_weight(0.5, parameters, stream));

@@ -49,8 +49,8 @@ inline Genome linked(std::initializer_list<std::pair<int, double>> links) {
 }
 
 /// The operators' rates with structure much favoured.
-inline Parameters structural() {
-    Parameters parameters;
+inline NeatParameters structural() {
+    NeatParameters parameters;
     parameters.add_node_rate = 0.3;
     parameters.add_link_rate = 0.5;
     parameters.remove_link_rate = 0.1;

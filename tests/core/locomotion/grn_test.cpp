@@ -113,15 +113,15 @@ BOOST_AUTO_TEST_CASE(networks_at_rest_are_those_that_go_on_being_updated) {
 
         Activations &activations = tissue.activations;
         for (int cell = 0; cell < 3; ++cell) {
-            const auto inputs = sense(body.positions[cell], 0, 1, parameters);
+            const auto inputs = sense(body.positions[cell], 0, 1, parameters.network);
             for (int node = 0; node < input::count; ++node) activations.at(cell, node) = inputs[node];
         }
         const int spring = network.inputs + output::spring, morphogen = network.inputs + output::morphogen;
         std::vector<double> signal(3);
         std::vector<double> newest(3), previous(3);
-        for (int t = 0; t < parameters.locomotion_steps; t += parameters.knot_interval) {
+        for (int t = 0; t < parameters.gait.locomotion_steps; t += parameters.gait.knot_interval) {
             gait.signals(t, signal);
-            if (t % parameters.update_interval != 0) continue;
+            if (t % parameters.gait.update_interval != 0) continue;
             // Here the signal is what the update before has left.
             BOOST_REQUIRE((signal == newest));
             for (int cell = 0; cell < 3; ++cell) {
@@ -161,10 +161,10 @@ BOOST_AUTO_TEST_CASE(time_and_place_are_read_anew_where_the_experiment_says_so) 
         return signal[0];
     };
     Parameters standard, rising, present;
-    standard.gait_time = GaitTime::held, standard.gait_place = GaitPlace::grown;
+    standard.gait.gait_time = GaitTime::held, standard.gait.gait_place = GaitPlace::grown;
     rising = present = standard;
-    rising.gait_time = GaitTime::rising;
-    present.gait_place = GaitPlace::present;
+    rising.gait.gait_time = GaitTime::rising;
+    present.gait.gait_place = GaitPlace::present;
     BOOST_TEST(newest(input::time, standard, {2, 4}) == std::tanh(1), near);
     BOOST_TEST(newest(input::time, rising, {2, 4}) == std::tanh(1 + 50.0 / 600), near);
     BOOST_TEST(newest(input::time, present, {2, 4}) == std::tanh(1), near);

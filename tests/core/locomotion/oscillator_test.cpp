@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(outputs_span_the_range_of_periods_and_phases) {
     for (int cell = 0; cell < 3; ++cell)
         for (const output::Channel channel : {output::period, output::phase})
             tissue.activations.at(cell, input::count + channel) = cell - 1;
-    const auto oscillators = read_oscillators(network, tissue, Parameters{});
+    const auto oscillators = read_oscillators(network, tissue, GaitParameters{});
     BOOST_TEST(oscillators[0].period == 100);
     BOOST_TEST(oscillators[1].period == 250);
     BOOST_TEST(oscillators[2].period == 400);
@@ -28,9 +28,9 @@ BOOST_AUTO_TEST_CASE(outputs_span_the_range_of_periods_and_phases) {
 BOOST_AUTO_TEST_CASE(the_turned_phase_is_the_sine_of_eq_1_to_the_end) {
     const std::vector<Oscillator> cells{{100, 0}, {137.3, 2.5}, {400, -math::pi}};
     const Parameters p;
-    Oscillators gait(cells, p);
+    Oscillators gait(cells, p.gait);
     std::vector<double> signal(cells.size());
-    for (int t = 0; t <= p.locomotion_steps; t += p.knot_interval) {
+    for (int t = 0; t <= p.gait.locomotion_steps; t += p.gait.knot_interval) {
         gait.signals(t, signal);
         for (std::size_t i = 0; i < cells.size(); ++i)
             BOOST_REQUIRE(

@@ -66,8 +66,8 @@ Body flat_lattice() {
 }
 
 /// The smallest signed area that any triangle had, over its area in equilibrium.
-double least_area(const Body &body, const Environment &environment, double range, const Parameters &p) {
-    const SoftBodyModel model = embody(body, environment, p);
+double least_area(const Body &body, const Environment &environment, double range, const Parameters &p = {}) {
+    const SoftBodyModel model = soft_body(body, environment, p);
     Discord gait;
     const auto engine = make_engine("native");
     double least = std::numeric_limits<double>::infinity();
@@ -77,17 +77,17 @@ double least_area(const Body &body, const Environment &environment, double range
             least = std::min(least, 0.5 * cross(at[b] - at[a], at[c] - at[a]) / model.areas[i]);
         }
     };
-    locomote(model, environment, range, gait, *engine, look);
+    locomote(model, environment, range, p, gait, *engine, look);
     return least;
 }
 
 } // namespace
 
 BOOST_AUTO_TEST_CASE(step_n_uses_the_rest_lengths_of_t_n_plus_1_linear_between_knots) {
-    const auto model = embody(lattice(2, 1), water(), Parameters{});
+    const auto model = soft_body(lattice(2, 1), water());
     Unison gait([](int t) { return std::sin(0.05 * t); });
     Scribe engine;
-    locomote(model, water(), 0.4, gait, engine);
+    locomote(model, water(), 0.4, Parameters(), gait, engine);
     BOOST_TEST(engine.lengths.size() == 4000u);
     const auto knot = [](int t) { return 1 + std::min(1.0, t / 200.0) * 0.4 * std::sin(0.05 * t); };
     for (const int n : {0, 4, 9, 10, 57, 199, 200, 2345, 3999}) {
@@ -100,11 +100,11 @@ BOOST_AUTO_TEST_CASE(step_n_uses_the_rest_lengths_of_t_n_plus_1_linear_between_k
 }
 
 BOOST_AUTO_TEST_CASE(late_actuation_tells_a_rhythm_from_a_single_contraction) {
-    const auto model = embody(lattice(2, 1), water(), Parameters{});
+    const auto model = soft_body(lattice(2, 1), water());
     const auto late = [&](const std::function<double(int)> &signal) {
         Unison gait(signal);
         Scribe engine;
-        return locomote(model, water(), 0.4, gait, engine).late_actuation;
+        return locomote(model, water(), 0.4, Parameters(), gait, engine).late_actuation;
     };
     BOOST_TEST(late([](int t) { return t / 10 % 2; }) == 0.25);
     BOOST_TEST(late([](int t) { return std::min(1.0, t / 80.0); }) == 0);
@@ -114,10 +114,10 @@ BOOST_AUTO_TEST_CASE(late_actuation_tells_a_rhythm_from_a_single_contraction) {
 }
 
 BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
-    const auto model = embody(lattice(2, 1), water(), Parameters{});
+    const auto model = soft_body(lattice(2, 1), water());
     Unison gait([](int) { return 0.0; });
     Scribe engine;
-    const Trial trial = locomote(model, water(), 0.4, gait, engine);
+    const Trial trial = locomote(model, water(), 0.4, Parameters(), gait, engine);
     BOOST_TEST(trial.settle_steps == 0);
     BOOST_TEST((trial.rest == Vec2d{0, 0}));
     BOOST_TEST((trial.end == Vec2d{4000, 0}));
@@ -128,11 +128,11 @@ BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
 
 BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
     // Slow from step 101 on but for one step, 500: it is at rest at step 500 + 800.
-    const auto model = embody(lattice(2, 1), land(), Parameters{});
+    const auto model = soft_body(lattice(2, 1), land());
     Unison gait([](int) { return 0.0; });
     Scribe engine;
     engine.speed = [](int step) { return step <= 100 || step == 500 ? 0.05 : 0.049; };
-    const Trial trial = locomote(model, land(), 0.3, gait, engine);
+    const Trial trial = locomote(model, land(), 0.3, Parameters(), gait, engine);
     BOOST_TEST(trial.outcome == Outcome::viable);
     BOOST_TEST(trial.settle_steps == 1300);
     BOOST_TEST((trial.rest == Vec2d{1300, 0}));
@@ -142,13 +142,13 @@ BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
 }
 
 BOOST_AUTO_TEST_CASE(the_limit_of_settling_includes_the_window) {
-    const auto model = embody(lattice(2, 1), land(), Parameters{});
+    const auto model = soft_body(lattice(2, 1), land());
     Unison gait([](int) { return 0.0; });
     Scribe just, late;
     just.speed = [](int step) { return step <= 5200 ? 1.0 : 0.0; };
     late.speed = [](int step) { return step <= 5201 ? 1.0 : 0.0; };
-    BOOST_TEST(locomote(model, land(), 0.3, gait, just).outcome == Outcome::viable);
-    const Trial trial = locomote(model, land(), 0.3, gait, late);
+    BOOST_TEST(locomote(model, land(), 0.3, Parameters(), gait, just).outcome == Outcome::viable);
+    const Trial trial = locomote(model, land(), 0.3, Parameters(), gait, late);
     BOOST_TEST(trial.outcome == Outcome::never_settled);
     BOOST_TEST(trial.settle_steps == 6000);
     BOOST_TEST(late.lengths.size() == 6000u);
@@ -158,32 +158,32 @@ BOOST_AUTO_TEST_CASE(constant_actuation_leads_nowhere) {
     // The centre of mass moves less than 0.01 cells in the last 1000 of 4000 steps.
     for (const bool on_land : {false, true}) {
         const Environment environment = on_land ? land() : water();
-        const auto model = embody(lattice(6, 3), environment, Parameters{});
+        const auto model = soft_body(lattice(6, 3), environment);
         Unison gait([](int) { return 0.8; });
         NativeEngine engine;
-        const Trial trial = locomote(model, environment, 0.3, gait, engine);
+        const Trial trial = locomote(model, environment, 0.3, Parameters(), gait, engine);
         BOOST_TEST(trial.outcome == Outcome::viable);
         BOOST_TEST(length(trial.path[40] - trial.path[30]) < 0.01);
     }
 }
 
 BOOST_AUTO_TEST_CASE(wild_signals_explode_and_end_the_trial) {
-    const auto model = embody(lattice(6, 3), water(), Parameters{});
+    const auto model = soft_body(lattice(6, 3), water());
     Unison gait([](int t) { return t < 1000 ? 0.0 : std::numeric_limits<double>::quiet_NaN(); });
     NativeEngine engine;
-    BOOST_TEST(locomote(model, water(), 0.4, gait, engine).outcome == Outcome::exploded);
+    BOOST_TEST(locomote(model, water(), 0.4, Parameters(), gait, engine).outcome == Outcome::exploded);
 }
 
 BOOST_AUTO_TEST_CASE(pressure_keeps_triangles_from_turning_inside_out_under_the_widest_actuation) {
     // Round triangles, a fold, and triangles so flat that their springs alone could not keep them open.
     for (const Body &body : {lattice(8, 3), lattice(5, 5), hook(), flat_lattice()})
         for (const Environment &environment : {water(), land()}) {
-            const double least = least_area(body, environment, 0.4, Parameters{});
+            const double least = least_area(body, environment, 0.4);
             BOOST_TEST(least > 0.1);
             BOOST_TEST(least < 1);
         }
 
     Parameters slack;
-    slack.pressure_stiffness = 0;
+    slack.body.pressure_stiffness = 0;
     BOOST_TEST(least_area(flat_lattice(), water(), 0.4, slack) < 0);
 }

@@ -39,25 +39,25 @@ BOOST_AUTO_TEST_CASE(every_row_is_within_its_own_range_named_once_and_explained)
 
 BOOST_AUTO_TEST_CASE(numbers_that_the_paper_states_are_the_papers) {
     const Parameters p;
-    BOOST_TEST(p.development_steps == 600);
-    BOOST_TEST(p.decision_interval == 30);
-    BOOST_TEST(p.neighbourhood_interval == 10);
-    BOOST_TEST(p.link_limit == 1.5);
-    BOOST_TEST(p.cell_limit == 256);
-    BOOST_TEST(p.birth_limit == 1024);
-    BOOST_TEST(p.minimum_cells == 8);
-    BOOST_TEST(p.settle_window == 800);
-    BOOST_TEST(p.ramp_steps == 200);
-    BOOST_TEST(p.locomotion_steps == 4000);
-    BOOST_TEST(p.update_interval == 50);
-    BOOST_TEST(p.actuation_range_aquatic == 0.4);
-    BOOST_TEST(p.actuation_range_terrestrial == 0.3);
-    BOOST_TEST(p.novelty_neighbours == 15);
-    BOOST_TEST(p.archive_run == 8);
-    BOOST_TEST(p.archive_patience == 50);
-    BOOST_TEST(p.population == 300);
-    BOOST_TEST(p.generations == 2000);
-    BOOST_TEST(p.seeds == 20);
+    BOOST_TEST(p.development.development_steps == 600);
+    BOOST_TEST(p.development.decision_interval == 30);
+    BOOST_TEST(p.development.neighbourhood_interval == 10);
+    BOOST_TEST(p.development.link_limit == 1.5);
+    BOOST_TEST(p.development.cell_limit == 256);
+    BOOST_TEST(p.development.birth_limit == 1024);
+    BOOST_TEST(p.development.minimum_cells == 8);
+    BOOST_TEST(p.settling.settle_window == 800);
+    BOOST_TEST(p.gait.ramp_steps == 200);
+    BOOST_TEST(p.gait.locomotion_steps == 4000);
+    BOOST_TEST(p.gait.update_interval == 50);
+    BOOST_TEST(p.water.actuation_range_aquatic == 0.4);
+    BOOST_TEST(p.land.actuation_range_terrestrial == 0.3);
+    BOOST_TEST(p.novelty.novelty_neighbours == 15);
+    BOOST_TEST(p.novelty.archive_run == 8);
+    BOOST_TEST(p.novelty.archive_patience == 50);
+    BOOST_TEST(p.neat.population == 300);
+    BOOST_TEST(p.design.generations == 2000);
+    BOOST_TEST(p.design.seeds == 20);
 }
 
 BOOST_AUTO_TEST_CASE(setting_a_parameter_changes_that_one) {
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_name_or_value_is_refused_with_the_rule) {
     BOOST_CHECK_EXCEPTION(set_parameter(p, "gravity", std::nan("")), InputError, says("gravity = nan"));
     BOOST_CHECK_EXCEPTION(set_parameter(p, "gravity", std::numeric_limits<double>::infinity()), InputError,
                           says("outside"));
-    p.species_low = 20;
+    p.neat.species_low = 20;
     BOOST_CHECK_EXCEPTION(check_consistency(p), InputError, says("species_low is at most species_high"));
 }
 
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_choice_has_names_and_each_is_a_value) {
         }
     }
     set_parameter(p, "division_turn", value_of(row, "daughter"));
-    BOOST_TEST((p.division_turn == DivisionTurn::daughter));
+    BOOST_TEST((p.development.division_turn == DivisionTurn::daughter));
 }
 
 BOOST_AUTO_TEST_CASE(a_word_that_states_no_value_is_refused_with_the_rule) {

@@ -19,7 +19,7 @@ using namespace planula::specimens;
 
 BOOST_AUTO_TEST_CASE(drag_only_takes_energy) {
     const Environment environment = water();
-    const auto model = embody(hook(), environment, Parameters{});
+    const auto model = soft_body(hook(), environment);
     Forces<double> law;
     law.load(model, environment);
     for (int sample = 0; sample < 50; ++sample) {
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_drag_of_a_towed_chain_is_that_of_its_links) {
     std::vector<Vec2d> line;
     for (int i = 0; i < 9; ++i) line.push_back({1.25 * i, 0}); // 10 long
     const Environment environment = water();
-    const auto model = embody(make_body(line, 1.5), environment, Parameters{});
+    const auto model = soft_body(make_body(line, 1.5), environment);
     Forces<double> law;
     law.load(model, environment);
     for (const Vec2d v : {Vec2d{3, 0}, Vec2d{0, -2}, Vec2d{1, 2}}) {
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_plate_is_carried_off_by_a_current_as_quadratic_drag_deman
         for (int j = 0; j < 2; ++j) corners.push_back({static_cast<double>(i), static_cast<double>(j)});
     Environment environment = water();
     environment.flow = {0, 0.5}; // too slow to bend it
-    const auto model = embody(make_body(corners, 1.5), environment, Parameters{});
+    const auto model = soft_body(make_body(corners, 1.5), environment);
     NativeEngine engine;
     engine.load(model, environment);
     const double K = 1.0 * 2 * 5 + 0.1 * 2 * 1, mass = 12;

@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(engines_are_made_by_name) {
 BOOST_AUTO_TEST_CASE(every_engine_lets_a_body_in_equilibrium_be) {
     for (const std::string_view name : engine_names()) {
         const Environment environment = water();
-        const auto model = embody(lattice(6, 3), environment, Parameters{});
+        const auto model = soft_body(lattice(6, 3), environment);
         const auto engine = make_engine(name);
         engine->load(model, environment);
         for (int i = 0; i < 500; ++i) engine->step(0);
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(every_engine_lets_a_body_in_equilibrium_be) {
 BOOST_AUTO_TEST_CASE(every_engine_sets_a_dropped_body_on_the_ground) {
     for (const std::string_view name : engine_names()) {
         const Environment environment = land();
-        auto model = embody(lattice(6, 3), environment, Parameters{});
+        auto model = soft_body(lattice(6, 3), environment);
         for (Vec2d &p : model.positions) p.y += 1;
         const auto engine = make_engine(name);
         engine->load(model, environment);
@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(every_engine_slides_on_a_slope_steeper_than_its_friction_on
             Body body = lattice(8, 2);
             const double c = 1 / std::sqrt(1 + steepness * steepness), s = steepness * c;
             for (Vec2d &p : body.positions) p = {c * p.x - s * p.y, s * p.x + c * p.y};
-            const auto model = embody(body, environment, Parameters{});
+            const auto model = soft_body(body, environment);
             const auto engine = make_engine(name);
             engine->load(model, environment);
             for (int t = 0; t < 2000; ++t) engine->step(0);
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(every_engine_slides_on_a_slope_steeper_than_its_friction_on
 BOOST_AUTO_TEST_CASE(every_engine_notices_an_explosion) {
     for (const std::string_view name : engine_names()) {
         const Environment environment = water();
-        const auto model = embody(lattice(3, 2), environment, Parameters{});
+        const auto model = soft_body(lattice(3, 2), environment);
         const auto engine = make_engine(name);
         engine->load(model, environment);
         engine->actuate(std::vector<double>(model.positions.size(), 1e6), 1);

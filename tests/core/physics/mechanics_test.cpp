@@ -75,7 +75,7 @@ double kinetic_energy(std::span<const Vec2d> v) {
 /// Stored in springs with these rest lengths and in the pressure of triangles.
 double stored_energy(const SoftBodyModel &model, std::span<const double> rest_lengths,
                      std::span<const Vec2d> x) {
-    const Parameters &p = model.parameters;
+    const BodyParameters &p = model.body;
     double sum = 0;
     for (std::size_t i = 0; i < model.links.size(); ++i) {
         const double stretch = length(x[model.links[i].b] - x[model.links[i].a]) - rest_lengths[i];
@@ -103,11 +103,11 @@ double power(std::span<const Vec2d> forces, std::span<const Vec2d> v) {
 /// Where the body is after `duration` t.u. with a time step of 0.01/`refinement`.
 std::vector<Vec2d> after(double duration, SoftBodyModel model, const Environment &environment,
                          int refinement) {
-    model.parameters.time_step /= refinement;
+    model.time_step /= refinement;
     NativeEngine engine;
     engine.load(model, environment);
-    const int steps = static_cast<int>(std::lround(duration / model.parameters.time_step));
-    for (int t = 1; t <= steps; ++t) step_with(swinging(model, t * model.parameters.time_step), engine);
+    const int steps = static_cast<int>(std::lround(duration / model.time_step));
+    for (int t = 1; t <= steps; ++t) step_with(swinging(model, t * model.time_step), engine);
     return engine.positions();
 }
 
@@ -136,8 +136,8 @@ struct Slide {
 Slide slid(std::vector<Vec2d> ground, double duration, double time_step) {
     const Environment environment{.gravity = 5, .has_ground = true, .ground = std::move(ground)};
     Parameters parameters;
-    parameters.time_step = time_step;
-    const auto model = embody(lattice(4, 3), environment, parameters);
+    parameters.development.time_step = time_step;
+    const auto model = soft_body(lattice(4, 3), environment, parameters);
     NativeEngine engine;
     engine.load(model, environment);
     Slide slide;
@@ -163,7 +163,7 @@ struct Family {
 BOOST_AUTO_TEST_CASE(each_family_of_inner_forces_has_no_resultant_and_no_torque) {
     // A ring squeezed until its ends overlap, in wild motion.
     const Environment environment = water();
-    const auto model = embody(hook(), environment, Parameters{});
+    const auto model = soft_body(hook(), environment);
     std::vector<Vec2d> x, v;
     for (std::size_t i = 0; i < model.positions.size(); ++i) {
         const double phase = static_cast<double>(i);
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(nothing_pushes_itself_in_empty_space) {
     // itself.
     const Environment environment = empty_space();
     for (const Body &body : {lattice(7, 4), hook()}) {
-        const auto model = embody(body, environment, Parameters{});
+        const auto model = soft_body(body, environment);
         SelfContact<double> contact;
         contact.load(model);
         int contacts = 0;
@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(without_drag_or_friction_muscles_move_nobody) {
     for (const bool on_land : {false, true}) {
         Environment environment = on_land ? land() : empty_space();
         environment.friction = 0;
-        const auto model = embody(lattice(7, 3), environment, Parameters{});
+        const auto model = soft_body(lattice(7, 3), environment);
         NativeEngine engine;
         engine.load(model, environment);
         for (int t = 1; t <= 4000; ++t) step_with(swinging(model, 0.01 * t), engine);
@@ -244,12 +244,12 @@ BOOST_AUTO_TEST_CASE(without_drag_or_friction_muscles_move_nobody) {
 BOOST_AUTO_TEST_CASE(undamped_energy_stays_near_its_start_and_nearer_with_half_the_step) {
     // Within 30 % over 4000 steps, and that error halves with dt.
     const Environment environment = empty_space();
-    SoftBodyModel model = embody(lattice(6, 3), environment, Parameters{});
-    model.parameters.spring_damping = 0;
+    SoftBodyModel model = soft_body(lattice(6, 3), environment);
+    model.body.spring_damping = 0;
     double errors[2];
     for (int half = 0; half < 2; ++half) {
         SoftBodyModel start = stretched(model, 1.1, 0.95);
-        start.parameters.time_step /= 1 + half;
+        start.time_step /= 1 + half;
         NativeEngine engine;
         engine.load(start, environment);
         const double before = energy(model, engine);
@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(damped_energy_never_rises_without_actuation) {
     // Taken every 100 steps, by no more than 1e-3 of its start.
     for (const Environment &environment : {empty_space(), water()})
         for (const auto &[along, across] : {std::pair(1.15, 0.95), std::pair(0.9, 1.2)}) {
-            const auto model = embody(lattice(6, 3), environment, Parameters{});
+            const auto model = soft_body(lattice(6, 3), environment);
             const auto start = stretched(model, along, across);
             NativeEngine engine;
             engine.load(start, environment);
@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(a_life_is_the_same_at_any_height_and_place) {
     const auto moved = [](std::vector<Vec2d> ground, Vec2d place) {
         const Environment environment{
             .gravity = 5, .has_ground = true, .ground = std::move(ground), .friction = 0.8};
-        auto model = embody(lattice(7, 3), environment, Parameters{});
+        auto model = soft_body(lattice(7, 3), environment);
         for (Vec2d &p : model.positions) p.x += place.x;
         NativeEngine engine;
         engine.load(model, environment);
@@ -343,11 +343,11 @@ BOOST_AUTO_TEST_CASE(a_life_is_the_same_at_any_height_and_place) {
 
 BOOST_AUTO_TEST_CASE(the_ledger_of_work_dissipation_and_stored_energy_closes_to_first_order) {
     const Environment environment = water();
-    const SoftBodyModel body = embody(lattice(7, 3), environment, Parameters{});
+    const SoftBodyModel body = soft_body(lattice(7, 3), environment);
     double residuals[3], turnover = 0;
     for (int i = 0; i < 3; ++i) {
         SoftBodyModel model = body;
-        const double dt = model.parameters.time_step /= 1 << i;
+        const double dt = model.time_step /= 1 << i;
         NativeEngine engine;
         engine.load(model, environment);
         Forces<double> law;
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(the_ledger_of_work_dissipation_and_stored_energy_closes_to_
 BOOST_AUTO_TEST_CASE(a_body_turned_by_quarter_turns_in_water_moves_turned_to_the_bit) {
     // Its ends collide on the way.
     const Environment environment = water();
-    const SoftBodyModel model = embody(hook(), environment, Parameters{});
+    const SoftBodyModel model = soft_body(hook(), environment);
     const auto moved = [&](const SoftBodyModel &body, int &contacts) {
         NativeEngine engine;
         engine.load(body, environment);
@@ -421,10 +421,10 @@ BOOST_AUTO_TEST_CASE(a_mirrored_body_moves_mirrored) {
             Vec2d{math::sin(static_cast<double>(i)), math::cos(2.0 * static_cast<double>(i))} * 0.05;
     std::vector<Vec2d> reflection = body.positions;
     for (Vec2d &p : reflection) p.x = -p.x;
-    SoftBodyModel straight = embody(make_body(body.positions, 1.5), environment, Parameters{});
-    SoftBodyModel mirrored = embody(make_body(reflection, 1.5), environment, Parameters{});
+    SoftBodyModel straight = soft_body(make_body(body.positions, 1.5), environment);
+    SoftBodyModel mirrored = soft_body(make_body(reflection, 1.5), environment);
     BOOST_TEST((straight.links == mirrored.links));
-    straight.parameters.contact_stiffness = mirrored.parameters.contact_stiffness = 0;
+    straight.body.contact_stiffness = mirrored.body.contact_stiffness = 0;
     std::vector<Vec2d> expected = after(2, straight, environment, 1);
     BOOST_TEST(distance(expected, straight.positions) > 0.05);
     for (Vec2d &p : expected) p.x = -p.x;
@@ -437,7 +437,7 @@ BOOST_AUTO_TEST_CASE(a_mirrored_body_moves_mirrored) {
 
 BOOST_AUTO_TEST_CASE(half_the_step_brings_the_trajectory_nearer_at_first_order) {
     for (const Environment &environment : {empty_space(), water()}) {
-        auto model = stretched(embody(lattice(6, 3), environment, Parameters{}), 1.05, 0.97);
+        auto model = stretched(soft_body(lattice(6, 3), environment), 1.05, 0.97);
         const auto whole = after(1, model, environment, 1), half = after(1, model, environment, 2),
                    quarter = after(1, model, environment, 4);
         const double order = std::log2(distance(whole, half) / distance(half, quarter));

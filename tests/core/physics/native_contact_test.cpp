@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(the_touches_found_are_those_of_a_search_over_all_pairs_to_t
     for (const native::Kernel &kernel : native::kernels()) {
         int hits = 0, quiet = 0;
         for (const Body &body : {hook(), two_arms(2), spiral_body(2)}) {
-            const auto model = embody(body, water(), Parameters{});
+            const auto model = soft_body(body, water());
             const native::Layout layout = native::lay_out(model);
             native::Contact contact;
             contact.load(layout, kernel);
@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(the_touches_found_are_those_of_a_search_over_all_pairs_to_t
 
 BOOST_AUTO_TEST_CASE(a_body_loaded_anew_starts_without_a_list) {
     // The same engine lives with another body, and then with the first.
-    const auto model = embody(hook(), water(), Parameters{});
-    const auto other = embody(two_arms(2), water(), Parameters{});
+    const auto model = soft_body(hook(), water());
+    const auto other = soft_body(two_arms(2), water());
     const native::Layout layout = native::lay_out(model), other_layout = native::lay_out(other);
     const auto records = squeezed(model, layout, 200);
     native::Contact contact;
@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(a_body_loaded_anew_starts_without_a_list) {
 
 BOOST_AUTO_TEST_CASE(parts_that_near_each_other_from_both_sides_are_found_when_they_touch) {
     // Two arms that lean against each other: their tips are the fastest nodes.
-    const auto model = embody(two_arms(2), water(), Parameters{});
+    const auto model = soft_body(two_arms(2), water());
     const native::Layout layout = native::lay_out(model);
     Vec2d low = model.positions[0], high = low;
     for (const Vec2d p : model.positions)

@@ -51,7 +51,7 @@ double closest(const SoftBodyModel &model, const std::vector<Vec2d> &positions) 
 }
 
 Swing swung(const native::Kernel &kernel, const Body &body, const Environment &environment, int steps) {
-    const auto model = embody(body, environment, Parameters{});
+    const auto model = soft_body(body, environment);
     NativeEngine engine(kernel);
     engine.load(model, environment);
     SelfContact<double> contact;
@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(the_kernel_is_that_of_the_chosen_lanes) {
 
 BOOST_AUTO_TEST_CASE(rest_lengths_go_linearly_from_knot_to_knot_and_stay_there) {
     // A pair of cells, heavily damped, follows its rest length.
-    auto model = embody(lattice(2, 1), empty_space(), Parameters{});
-    model.parameters.spring_stiffness = 4000, model.parameters.spring_damping = 50;
+    auto model = soft_body(lattice(2, 1), empty_space());
+    model.body.spring_stiffness = 4000, model.body.spring_damping = 50;
     const Environment environment = empty_space();
     NativeEngine engine;
     engine.load(model, environment);
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(rest_lengths_go_linearly_from_knot_to_knot_and_stay_there) 
 }
 
 BOOST_AUTO_TEST_CASE(muscles_that_hold_still_need_no_knots) {
-    const auto model = embody(hook(), empty_space(), Parameters{});
+    const auto model = soft_body(hook(), empty_space());
     const auto positions_after = [&](int interval) {
         NativeEngine engine;
         engine.load(model, empty_space());
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(muscles_that_hold_still_need_no_knots) {
 }
 
 BOOST_AUTO_TEST_CASE(a_body_in_equilibrium_stays_where_it_is) {
-    const auto model = embody(lattice(6, 3), water(), Parameters{});
+    const auto model = soft_body(lattice(6, 3), water());
     const Environment environment = water();
     NativeEngine engine;
     engine.load(model, environment);
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(a_body_in_equilibrium_stays_where_it_is) {
 BOOST_AUTO_TEST_CASE(a_current_carries_a_body_along) {
     Environment environment = water();
     environment.flow = {2, 0};
-    const auto model = embody(lattice(5, 2), environment, Parameters{});
+    const auto model = soft_body(lattice(5, 2), environment);
     NativeEngine engine;
     engine.load(model, environment);
     for (int t = 0; t < 4000; ++t) engine.step(0);
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(a_current_carries_a_body_along) {
 }
 
 BOOST_AUTO_TEST_CASE(speeds_beyond_the_guard_and_numbers_that_are_not_are_explosions) {
-    const auto model = embody(lattice(3, 2), water(), Parameters{});
+    const auto model = soft_body(lattice(3, 2), water());
     const Environment environment = water();
     NativeEngine engine;
     engine.load(model, environment);

@@ -85,7 +85,7 @@ bool same_bits(float a, float b) {
 BOOST_AUTO_TEST_CASE(drag_is_summed_per_node_in_the_order_of_links_to_the_bit) {
     int most = 0;
     for (const Body &body : {bow_tie(), hook(), spiral_body(1), two_arms(3), lattice(2, 1), lattice(9, 8)}) {
-        const auto model = embody(body, water(), Parameters{});
+        const auto model = soft_body(body, water());
         const auto layout = native::lay_out(model);
         const native::DragTask task = drag_on(layout);
         most = std::max(most, task.links_per_node);

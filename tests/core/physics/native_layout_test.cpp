@@ -34,7 +34,7 @@ std::vector<std::vector<int>> fans(const native::Layout &layout) {
 
 BOOST_AUTO_TEST_CASE(every_cell_has_one_slot_for_each_neighbour) {
     for (const Body &body : {lattice(7, 4), hook(), u_body(1), two_arms(3), lattice(1, 1)}) {
-        const auto model = embody(body, water(), Parameters{});
+        const auto model = soft_body(body, water());
         const auto layout = native::lay_out(model);
         std::set<int> cells(layout.cell_of.begin(), layout.cell_of.end());
         BOOST_TEST(static_cast<int>(cells.size()) == model.nodes());
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(every_cell_has_one_slot_for_each_neighbour) {
 
 BOOST_AUTO_TEST_CASE(fans_turn_counter_clockwise_and_every_triangle_has_three_corners) {
     for (const Body &body : {lattice(7, 4), hook(), two_arms(3)}) {
-        const auto model = embody(body, water(), Parameters{});
+        const auto model = soft_body(body, water());
         const auto layout = native::lay_out(model);
         int corners = 0;
         for (int node = 0; node < layout.nodes; ++node) {
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(fans_turn_counter_clockwise_and_every_triangle_has_three_co
 }
 
 BOOST_AUTO_TEST_CASE(inner_nodes_come_before_those_of_the_outline) {
-    const auto model = embody(lattice(7, 4), water(), Parameters{});
+    const auto model = soft_body(lattice(7, 4), water());
     const auto layout = native::lay_out(model);
     std::set<int> outline;
     for (const OutlineLink &link : model.outline) outline.insert({link.a, link.b});

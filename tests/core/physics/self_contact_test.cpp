@@ -32,7 +32,7 @@ struct Collision {
         force.resize(position.size());
     }
     void step(double damping = 0) {
-        const double dt = model.parameters.time_step;
+        const double dt = model.time_step;
         forces.compute(model.rest_lengths, position, velocity, force);
         for (std::size_t i = 0; i < position.size(); ++i) {
             Vec2d v = (velocity[i] + force[i] * dt) * (1 - damping * dt);
@@ -127,7 +127,7 @@ struct Passage {
 /// What happens in the 10 t.u. after the body's halves run into each other at this speed.
 Passage collide(const Body &body, const Environment &environment, double speed,
                 const Parameters &parameters = {}) {
-    const auto model = embody(body, environment, parameters);
+    const auto model = soft_body(body, environment, parameters);
     Collision collision(model, environment);
     collision.close(speed);
     SelfContact<double> contact;
@@ -148,7 +148,7 @@ Passage collide(const Body &body, const Environment &environment, double speed,
 
 BOOST_AUTO_TEST_CASE(listed_contacts_are_those_of_a_search_over_all_pairs_to_the_bit) {
     // A hook whose ends are forced together; a skin larger than the body lists every pair.
-    const auto model = embody(hook(), water(), Parameters{});
+    const auto model = soft_body(hook(), water());
     SelfContact<float> listed, exhaustive(1000);
     listed.load(model), exhaustive.load(model);
     int hits = 0;
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(listed_contacts_are_those_of_a_search_over_all_pairs_to_the
 }
 
 BOOST_AUTO_TEST_CASE(contact_forces_are_internal) {
-    const auto model = embody(hook(), water(), Parameters{});
+    const auto model = soft_body(hook(), water());
     SelfContact<float> contact;
     contact.load(model);
     std::vector<Vec2f> x, forces(model.positions.size());
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(arms_two_cells_wide_do_not_pass_through_each_other) {
 BOOST_AUTO_TEST_CASE(a_bare_chain_passes) {
     for (const Body &body : {u_body(1), spiral_body(1)}) {
         BOOST_TEST(body.mesh.triangles.empty());
-        BOOST_TEST(embody(body, land(), Parameters{}).contact_cells.empty());
+        BOOST_TEST(soft_body(body, land()).contact_cells.empty());
         const Passage passage = collide(body, land(), 5);
         BOOST_TEST(passage.contacts == 0);
         BOOST_TEST(passage.crossed > 0);
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(a_bare_chain_passes) {
 BOOST_AUTO_TEST_CASE(without_contact_the_same_arms_pass) {
     // The measure of passing can fail.
     Parameters parameters;
-    parameters.contact_stiffness = 0;
+    parameters.body.contact_stiffness = 0;
     for (const Body &body : {u_body(2), two_arms(2)}) {
         const Passage passage = collide(body, water(), 10, parameters);
         BOOST_TEST(passage.deepest > 0.3);
@@ -262,11 +262,11 @@ BOOST_AUTO_TEST_CASE(what_has_collided_comes_to_rest) {
     // Contact itself does not damp, and does not pump: with the damping of settling all motion dies.
     for (const Body &body : {u_body(2), two_arms(2), u_body(3), two_arms(3)}) {
         const Environment environment = land();
-        const auto model = embody(body, environment, Parameters{});
+        const auto model = soft_body(body, environment);
         Collision collision(model, environment);
         collision.close(10);
-        for (int t = 0; t < model.parameters.settle_limit; ++t)
-            collision.step(model.parameters.settle_damping);
-        BOOST_TEST(collision.fastest() < model.parameters.settle_speed, body.cells() << " cells");
+        const SettlingParameters settling;
+        for (int t = 0; t < settling.settle_limit; ++t) collision.step(settling.settle_damping);
+        BOOST_TEST(collision.fastest() < settling.settle_speed, body.cells() << " cells");
     }
 }

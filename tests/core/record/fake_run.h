@@ -127,8 +127,8 @@ inline Spec fake_spec(const std::string &name, int generations, int population,
     spec.name = name;
     spec.title = "A setting called \"" + name + "\", invented";
     spec.search = search;
-    spec.parameters.generations = generations;
-    spec.parameters.population = population;
+    spec.parameters.design.generations = generations;
+    spec.parameters.neat.population = population;
     spec.judge = [](const Life &) { return Evaluation{}; };
     spec.judgement = {{"fitness", std::string(64, 'a'), "fake.lua:1"}};
     return spec;
@@ -147,7 +147,7 @@ inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
     life.rest = {0.25, 0.5};
     life.end = life.rest + fake.moved;
     life.late_actuation = fake.late_actuation;
-    const int samples = parameters.locomotion_steps / parameters.path_interval;
+    const int samples = parameters.gait.locomotion_steps / parameters.gait.path_interval;
     for (int i = 0; i <= samples; ++i)
         life.path.push_back(life.rest + fake.moved * (static_cast<double>(i) / samples));
     return life;
@@ -156,9 +156,9 @@ inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
 /// A population of minimal genomes, all of one species.
 inline Population fake_population(const Spec &spec, std::uint64_t seed) {
     Population population =
-        initial_population({input::count, output::count(spec.actuation), false}, spec.parameters, seed);
+        initial_population({input::count, output::count(spec.actuation), false}, spec.parameters.neat, seed);
     Species all{.id = 7};
-    for (int slot = 0; slot < spec.parameters.population; ++slot) all.members.push_back(slot);
+    for (int slot = 0; slot < spec.parameters.neat.population; ++slot) all.members.push_back(slot);
     all.representative = population.genomes.front();
     population.species = {all};
     population.next_species = 10;
@@ -181,7 +181,7 @@ class FakeRun {
     /// Calls visit(generation) for the next generation.
     template <class Visit> void observe(const Invent &invent, Visit &&visit) {
         Population &population = state_.population;
-        const int generation = population.generation, size = spec_.parameters.population;
+        const int generation = population.generation, size = spec_.parameters.neat.population;
         std::vector<Life> lives;
         std::vector<Evaluation> evaluations;
         std::vector<double> scores;
@@ -214,7 +214,7 @@ class FakeRun {
   private:
     void number_genomes() {
         Population &population = state_.population;
-        const int size = spec_.parameters.population;
+        const int size = spec_.parameters.neat.population;
         population.next_genome = std::int64_t{population.generation + 1} * size;
         for (int slot = 0; slot < size; ++slot)
             population.genomes[slot].id = std::int64_t{population.generation} * size + slot;
@@ -233,7 +233,8 @@ inline void write_fake_run_into(const std::filesystem::path &folder, const Spec 
                                 const Invent &invent) {
     RunWriter writer(folder, spec, seed, fake_sources());
     FakeRun run(spec, seed);
-    for (int generation = 0; generation < spec.parameters.generations; ++generation) run.step(writer, invent);
+    for (int generation = 0; generation < spec.parameters.design.generations; ++generation)
+        run.step(writer, invent);
     writer.finish();
 }
 

@@ -40,23 +40,23 @@ void write_two(const std::filesystem::path &folder) {
 Population late_population() {
     Parameters parameters;
     Population population;
-    population.threshold = parameters.compatibility_threshold;
+    population.threshold = parameters.neat.compatibility_threshold;
     Stream stream = specimens::stream(1);
     Genome ancestor = specimens::connected(12, 4, population.innovations);
     while (ancestor.links.size() < 145)
         mutate(specimens::structural(), false, population.innovations, stream, ancestor);
     for (Genome other = ancestor; population.innovations.links() < 2000;)
         mutate(specimens::structural(), false, population.innovations, stream, other);
-    for (int slot = 0; slot < parameters.population; ++slot) {
+    for (int slot = 0; slot < parameters.neat.population; ++slot) {
         Genome child = ancestor;
         for (LinkGene &link : child.links) link.weight = stream.triangular();
-        add_child(parameters, population, child);
+        add_child(parameters.neat, population, child);
     }
-    settle(parameters.population, population);
+    settle(parameters.neat.population, population);
     for (int generation = 0; generation < 10; ++generation) {
         std::vector<double> scores(population.genomes.size());
         for (double &score : scores) score = stream.uniform();
-        population = reproduce(population, scores, Adjustment::sharing, false, parameters, 1);
+        population = reproduce(population, scores, Adjustment::sharing, false, parameters.neat, 1);
     }
     return population;
 }

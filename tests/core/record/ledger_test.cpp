@@ -20,15 +20,16 @@ BOOST_AUTO_TEST_CASE(the_ledger_has_every_parameter_with_its_standard) {
     BOOST_TEST(rows.size() == parameter_rows().size());
     for (const LedgerRow &row : rows) BOOST_TEST(row.value == row.standard, row.name);
     BOOST_TEST(row_of(rows, "population").standard == "300");
-    BOOST_TEST(row_of(rows, "division_turn").standard ==
-               value_text(parameter_row("division_turn"), static_cast<int>(Parameters{}.division_turn)));
-    BOOST_TEST(row_of(rows, "population").section == "Evolution");
+    BOOST_TEST(
+        row_of(rows, "division_turn").standard ==
+        value_text(parameter_row("division_turn"), static_cast<int>(Parameters{}.development.division_turn)));
+    BOOST_TEST(row_of(rows, "population").section == "NEAT");
 }
 
 BOOST_AUTO_TEST_CASE(a_value_that_settings_do_not_share_is_left_out) {
     std::vector<Parameters> two(2);
-    for (Parameters &parameters : two) parameters.population = 30;
-    two[1].gravity = 1;
+    for (Parameters &parameters : two) parameters.neat.population = 30;
+    two[1].land.gravity = 1;
     const auto rows = ledger(two);
     BOOST_TEST(row_of(rows, "population").value == "30");
     BOOST_TEST(row_of(rows, "gravity").value == "");

@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(runs_that_part_are_refused_with_the_generation) {
 BOOST_AUTO_TEST_CASE(another_run_in_the_place_is_refused_with_what_differs) {
     const TemporaryFolder folder;
     Spec other = quick::spec();
-    other.parameters.add_node_rate = 0.5;
+    other.parameters.neat.add_node_rate = 0.5;
     const auto one = run_in(folder, "a"), two = run_in(folder, "b"), three = run_in(folder, "c");
     quick::write(one, quick::spec());
     quick::write(two, other);

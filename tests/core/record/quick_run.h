@@ -20,9 +20,9 @@ inline constexpr int population = 6;
 inline Spec spec(const std::string &search = "novelty", int generations = 5) {
     Spec spec = fake_spec("quick", generations, population, search);
     spec.environment = specimens::water();
-    spec.parameters.locomotion_steps = 20;
-    spec.parameters.development_steps = 300;
-    spec.parameters.archive_threshold = 0.001;
+    spec.parameters.gait.locomotion_steps = 20;
+    spec.parameters.development.development_steps = 300;
+    spec.parameters.novelty.archive_threshold = 0.001;
     spec.judge = [](const Life &life) {
         return Evaluation{life.elongation + life.cells, {life.elongation, life.cells * 0.1}, 1};
     };
@@ -38,7 +38,7 @@ inline bool run_on(const std::filesystem::path &folder, const Spec &asked, int e
     RunWriter writer(folder, asked, seed, fake_sources(), interval);
     if (writer.is_complete()) return true;
     Spec spec = asked;
-    spec.parameters.generations = writer.generations();
+    spec.parameters.design.generations = writer.generations();
     std::optional<RunState> left = writer.take_state();
     RunState state = left ? std::move(*left) : begin(spec, seed);
     if (!left) writer.between(state, "");

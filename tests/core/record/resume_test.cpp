@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_state_of_another_run_is_refused) {
     const TemporaryFolder folder;
     leave_two_checkpoints(folder / "run");
     Spec other = quick::spec();
-    other.parameters.add_node_rate += 0.01;
+    other.parameters.neat.add_node_rate += 0.01;
     leave_two_checkpoints(folder / "here");
     {
         const auto there = folder / "other";

@@ -43,7 +43,7 @@ const std::string advice = "\n  Give another --out, or move the folder away.";
 BOOST_AUTO_TEST_CASE(a_folder_knows_its_run_from_the_first_moment) {
     const TemporaryFolder folder;
     Spec spec = fake_spec("osc", 3, 4);
-    spec.parameters.gravity = 1.0 / 3;
+    spec.parameters.land.gravity = 1.0 / 3;
     BOOST_TEST(!recorded_run(folder / "run"));
     const RunWriter writer(folder / "run", spec, seed, fake_sources());
     const RunRecord record = recorded_run(folder / "run").value();
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(the_folder_of_another_run_is_refused_with_what_differs_and_
     { const RunWriter writer(begun, spec, seed, fake_sources()); }
     quick::run_on(under_way, quick::spec(), 2 * quick::population);
     Spec other = spec;
-    other.parameters.gravity = 1;
+    other.parameters.land.gravity = 1;
     other.judgement[0] = {"fitness", std::string(64, 'b'), "other.lua:7"};
     for (const fs::path &place : {complete, begun})
         BOOST_TEST(refusal(place, other) ==
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_an_older_record_does_not_know_had_its_stan
     BOOST_TEST(record.identity.sha256() == identity_of(spec, seed).sha256());
     BOOST_CHECK_NO_THROW(check_same_run(place, record_of(spec)));
     Spec other = spec;
-    other.parameters.gravity = 1;
+    other.parameters.land.gravity = 1;
     BOOST_TEST(contains(message_of<CreateError>([&] { check_same_run(place, record_of(other)); }),
                         "parameter gravity: recorded with 5, asked for with 1"));
 }

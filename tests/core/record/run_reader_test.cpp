@@ -16,7 +16,7 @@ namespace {
 FakeLife life(int generation, int slot) { return {.fitness = 1.0 + generation + slot}; }
 
 FoundRuns found_in(const TemporaryFolder &folder, const Spec &spec) {
-    return find_runs(folder.path(), spec, spec.parameters.generations);
+    return find_runs(folder.path(), spec, spec.parameters.design.generations);
 }
 
 } // namespace
@@ -80,11 +80,11 @@ BOOST_AUTO_TEST_CASE(what_is_none_of_the_runs_is_left_out_with_the_reason) {
     left_out("seed-1", "it is a run of seed 1, which does not belong there");
 
     Spec other = spec;
-    other.parameters.gravity = 1;
+    other.parameters.land.gravity = 1;
     write_fake_run(folder.path(), other, 1, life);
     left_out("seed-001", "another run: parameter gravity: recorded with 1, asked for with 5");
 
-    other.parameters.drag_normal = 7;
+    other.parameters.water.drag_normal = 7;
     other.engine = "bullet";
     write_fake_run(folder.path(), other, 1, life);
     left_out("seed-001", "another run: engine: recorded with bullet, asked for with native (and 2 more)");
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_changed_row_in_the_manifest_is_found) {
 BOOST_AUTO_TEST_CASE(the_manifest_of_another_run_is_found) {
     const TemporaryFolder folder;
     Spec other = fake_spec("other", 2, 3);
-    other.parameters.gravity = 1;
+    other.parameters.land.gravity = 1;
     const auto one = write_fake_run(folder.path(), fake_spec("osc", 2, 3), 1, life);
     for (const auto &two : {write_fake_run(folder.path(), fake_spec("osc", 2, 3), 2, life),
                             write_fake_run(folder.path(), other, 1, life)}) {
