@@ -53,13 +53,12 @@ BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
 }
 
 BOOST_AUTO_TEST_CASE(a_hook_sees_the_parameters_of_its_setting) {
-    BOOST_TEST(fitness_of("parameters.development.cell_limit") == 256);
-    BOOST_TEST(fitness_of("parameters.gait.gait_time == 'held' and 1 or 0") == 1);
+    BOOST_TEST(fitness_of("parameters.cell_limit") == 256);
+    BOOST_TEST(fitness_of("parameters.gait_time == 'held' and 1 or 0") == 1);
     BOOST_TEST(fitness_of("penalty") == 1);
     Parameters parameters;
     set_parameter(parameters, "cell_limit", 99);
-    Hooks hooks(with("fitness = function(life, parameters) return parameters.development.cell_limit end"), 0,
-                parameters);
+    Hooks hooks(with("fitness = function(life, parameters) return parameters.cell_limit end"), 0, parameters);
     BOOST_TEST(hooks.judge(life_at(1)).fitness == 99);
 }
 
@@ -243,9 +242,8 @@ BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_gone_after_its_judgement) {
         test::contains(trial("fitness = function(life) life.cells = 5 return 1 end"), "a life is read-only"));
     BOOST_TEST(test::contains(trial("fitness = function(life) life.finish.x = 5 return 1 end"),
                               "a life is read-only"));
-    BOOST_TEST(
-        test::contains(trial("fitness = function(_, parameters) parameters.design.seeds = 5 return 1 end"),
-                       "parameters.design.seeds cannot be changed"));
+    BOOST_TEST(test::contains(trial("fitness = function(_, parameters) parameters.seeds = 5 return 1 end"),
+                              "parameters.seeds cannot be changed"));
     BOOST_TEST(test::contains(trial("fitness = function() total = 5 return 1 end"), "'total' is not local"));
     Hooks keeper(with("fitness = function(life) if kept then return kept.cells end kept = life return 1 end",
                       "local kept"),

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(every_hostile_script_ends_soon_with_a_line) {
         "math.pi = 3",
         "math = nil",
         "string.rep = nil",
-        "planula.parameters.land.gravity = 1",
+        "planula.parameters.gravity = 1",
         "table.insert(math, 1)",
         "table.insert(planula.parameters, 1)",
         "table.remove(string)",

@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(a_statement_is_completed_by_the_paper) {
 
 BOOST_AUTO_TEST_CASE(a_choice_is_stated_by_its_name_and_read_back_as_one) {
     const char *text = "return paper.experiment { name = 'x', parameters = { division_turn = 'daughter', "
-                       "gait_time = planula.parameters.gait.gait_time } }";
+                       "gait_time = planula.parameters.gait_time } }";
     const Parameters p = experiment(text).settings[0].parameters;
     BOOST_TEST((p.development.division_turn == DivisionTurn::daughter));
     BOOST_TEST((p.gait.gait_time == Parameters{}.gait.gait_time));
@@ -163,10 +163,9 @@ BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_told_with_the_rule) {
                               "test.lua:3: population = 1 is outside 2"));
     BOOST_TEST(test::contains(refused_body("parameters = { seeds = 1.5 }"), "must be a whole number"));
     BOOST_TEST(test::contains(refused_body("parameters = { seeds = 'x' }"),
-                              "parameters.design.seeds must be a number, not a text"));
-    BOOST_TEST(
-        test::contains(refused_body("parameters = { division_turn = 2 }"),
-                       "test.lua:3: parameters.development.division_turn must be a text, not a number"));
+                              "parameters.seeds must be a number, not a text"));
+    BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 2 }"),
+                              "test.lua:3: parameters.division_turn must be a text, not a number"));
     BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 'non' }"),
                               "division_turn = non must be one of 'nobody', 'daughter', 'both'"));
     BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = 'gait_time' } }"),
@@ -316,9 +315,9 @@ BOOST_AUTO_TEST_CASE(every_search_is_one_line) {
 
 BOOST_AUTO_TEST_CASE(a_start_is_generations_and_the_behaviour_of_bodies) {
     BOOST_TEST(!experiment("return paper.experiment { name = 'x' }").settings[0].start.has_value());
-    const Experiment e = experiment(
-        "return paper.experiment { name = 'x', start = { generations = 7, behaviour = "
-        "function(life, parameters) return { life.cells, parameters.development.cell_limit } end } }");
+    const Experiment e =
+        experiment("return paper.experiment { name = 'x', start = { generations = 7, behaviour = "
+                   "function(life, parameters) return { life.cells, parameters.cell_limit } end } }");
     const Spec &spec = e.settings[0];
     BOOST_REQUIRE(spec.start.has_value());
     BOOST_TEST(spec.start->generations == 7);
