@@ -103,8 +103,8 @@ std::string life_text(const Individual &individual) {
     const Life &life = individual.life;
     return std::string(name_of(life.outcome)) + ", " + to_text(life.cells) + " cells (" +
            to_text(life.births) + " created), moved " + to_text(life.displacement()) + " cells from (" +
-           to_text(life.rest.x) + ", " + to_text(life.rest.y) + ") to (" + to_text(life.end.x) + ", " +
-           to_text(life.end.y) + "), fitness " + to_text(individual.evaluation.fitness) + ", score " +
+           to_text(life.rest.x) + ", " + to_text(life.rest.y) + ") to (" + to_text(life.finish.x) + ", " +
+           to_text(life.finish.y) + "), fitness " + to_text(individual.evaluation.fitness) + ", score " +
            to_text(individual.score);
 }
 

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "base/text.h"
+#include "evaluation/example_life.h"
 #include "experiment/deciding.h"
 #include "scripting/captures.h"
 #include "scripting/lua_state.h"
@@ -35,30 +36,6 @@ constexpr Limits limits_of_a_call{
 
 bool is_sample(std::int64_t call) {
     return std::has_single_bit(static_cast<std::uint64_t>(call)) || call % calls_between_samples == 0;
-}
-
-// A body of some size that lived as the outcome says, to the end of that stage.
-Life specimen(Outcome outcome, Stage stage, const Parameters &parameters) {
-    Life life;
-    life.outcome = outcome;
-    const bool grew = outcome != Outcome::died_out && outcome != Outcome::too_small;
-    life.cells = grew ? 4 * parameters.development.minimum_cells : 0;
-    life.largest = outcome == Outcome::overgrown ? parameters.development.cell_limit : life.cells;
-    life.births = life.largest + 1;
-    if (outcome != Outcome::viable) return life;
-    life.links = 2 * life.cells;
-    life.triangles = life.cells + 1;
-    life.elongation = 2;
-    if (stage == Stage::growth) return life;
-    life.settle_steps = 2 * parameters.settling.settle_window;
-    life.rest = {0, 1};
-    life.end = {10, 1.5};
-    life.activity = life.late_actuation = 0.25;
-    const int steps = parameters.gait.locomotion_steps / parameters.gait.path_interval;
-    for (int i = 0; i <= steps; ++i)
-        life.path.push_back(life.rest +
-                            (life.end - life.rest) * (steps ? i / static_cast<double>(steps) : 1.0));
-    return life;
 }
 
 } // namespace
@@ -293,8 +270,9 @@ Hooks::Verdict Hooks::judge_twice(const Life &life) {
 
 void Hooks::try_out() {
     begin_run();
+    const KnownAfter known = stage_ == Stage::growth ? KnownAfter::growth : KnownAfter::locomotion;
     for (std::size_t i = 0; i < outcome_names.size(); ++i) {
-        const Life life = specimen(static_cast<Outcome>(i), stage_, parameters_);
+        const Life life = example_life(static_cast<Outcome>(i), known, parameters_);
         functions_->judge(life);
         const Verdict verdict = judge_twice(life);
         if (verdict.wrong_kind)

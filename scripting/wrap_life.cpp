@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace planula {
 
@@ -22,18 +24,18 @@ void push_point(lua_State *L, Vec2d point) {
     lua_setmetatable(L, -2);
 }
 
-void push_number(lua_State *L, double value) { lua_pushnumber(L, value); }
-
-enum class Known { grown, moved }; // of a body that has grown, or only of one that has moved, too
-
 struct Field {
-    const char *name;
-    Known known;
+    std::string_view name;
+    KnownAfter known;
     void (*push)(lua_State *L, const Life &life, int self);
 };
 
+void push(lua_State *L, double value, int) { lua_pushnumber(L, value); }
+void push(lua_State *L, Outcome value, int) { lua_pushstring(L, name_of(value)); }
+void push(lua_State *L, Vec2d value, int) { push_point(L, value); }
+
 // The path shows the same slot as the life itself, so it ends with it.
-void push_path(lua_State *L, const Life &, int self) {
+void push(lua_State *L, const std::vector<Vec2d> &, int self) {
     void *slot = lua_touserdata(L, self);
     *static_cast<LifeSlot **>(lua_newuserdata(L, sizeof(LifeSlot *))) = static_cast<LifeSlot *>(slot);
     luaL_getmetatable(L, path_type);
@@ -45,32 +47,27 @@ void push_path(lua_State *L, const Life &, int self) {
     lua_setfenv(L, -2);
 }
 
-constexpr Field fields[] = {
-    {"activity", Known::moved, [](lua_State *L, const Life &life, int) { push_number(L, life.activity); }},
-    {"births", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.births); }},
-    {"cells", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.cells); }},
-    {"displacement", Known::moved,
-     [](lua_State *L, const Life &life, int) { push_number(L, life.displacement()); }},
-    {"elongation", Known::grown,
-     [](lua_State *L, const Life &life, int) { push_number(L, life.elongation); }},
-    {"finish", Known::moved, [](lua_State *L, const Life &life, int) { push_point(L, life.end); }},
-    {"largest", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.largest); }},
-    {"late_actuation", Known::moved,
-     [](lua_State *L, const Life &life, int) { push_number(L, life.late_actuation); }},
-    {"links", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.links); }},
-    {"outcome", Known::grown,
-     [](lua_State *L, const Life &life, int) { lua_pushstring(L, name_of(life.outcome)); }},
-    {"path", Known::moved, push_path},
-    {"rest", Known::moved, [](lua_State *L, const Life &life, int) { push_point(L, life.rest); }},
-    {"settle_steps", Known::moved,
-     [](lua_State *L, const Life &life, int) { push_number(L, life.settle_steps); }},
-    {"triangles", Known::grown, [](lua_State *L, const Life &life, int) { push_number(L, life.triangles); }},
-};
+// By name: the fields of life.inl that scripts see, and the displacement, which follows from them.
+const std::vector<Field> &fields() {
+    static const std::vector<Field> by_name = [] {
+        std::vector<Field> all{
+            {"displacement", KnownAfter::locomotion,
+             [](lua_State *L, const Life &life, int self) { push(L, life.displacement(), self); }}};
+#define FIELD(type, name, initial, unit, known, meaning)                                                     \
+    all.push_back({#name, KnownAfter::known,                                                                 \
+                   [](lua_State *L, const Life &life, int self) { push(L, life.name, self); }});
+#define HIDDEN_FIELD(...)
+#include "evaluation/life.inl"
+        std::sort(all.begin(), all.end(), [](const Field &a, const Field &b) { return a.name < b.name; });
+        return all;
+    }();
+    return by_name;
+}
 
 std::vector<std::string_view> field_names(bool only_grown) {
     std::vector<std::string_view> names;
-    for (const Field &field : fields)
-        if (!only_grown || field.known == Known::grown) names.emplace_back(field.name);
+    for (const Field &field : fields())
+        if (!only_grown || field.known == KnownAfter::growth) names.emplace_back(field.name);
     return names;
 }
 
@@ -85,7 +82,7 @@ void no_such_field(lua_State *L, const char *what, const std::vector<std::string
 }
 
 void not_known_yet(lua_State *L, const Field &field) {
-    push_text(L, std::string("life.") + field.name +
+    push_text(L, "life." + std::string(field.name) +
                      " is known only after a body has moved; a start judges by growth alone (allowed: " +
                      list_of(field_names(true)) + ")");
 }
@@ -107,11 +104,11 @@ int life_index(lua_State *L) {
     const auto &slot = *static_cast<LifeSlot *>(luaL_checkudata(L, 1, life_type));
     const Life &life = life_in(L, slot);
     const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    const auto field = std::find_if(std::begin(fields), std::end(fields),
-                                    [&](const Field &each) { return key == each.name; });
-    if (field == std::end(fields))
+    const auto field =
+        std::find_if(fields().begin(), fields().end(), [&](const Field &each) { return key == each.name; });
+    if (field == fields().end())
         no_such_field(L, "life", field_names(slot.only_grown));
-    else if (slot.only_grown && field->known == Known::moved)
+    else if (slot.only_grown && field->known == KnownAfter::locomotion)
         not_known_yet(L, *field);
     else
         return field->push(L, life, 1), 1;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// life: what a hook sees of a finished life, read-only. Fields: activity, births, cells, displacement,
-// elongation, finish {x, y} (Life::end; `end` is a word of Lua), largest, late_actuation, links, outcome, path
-// (a list of {x, y}), rest {x, y}, settle_steps, triangles. Any other name is an error with the nearest one. So is, for
-// a life that ended with development, what is known only of a body that has moved.
+// life: what a judging function sees of a finished life, read-only: the fields of evaluation/life.inl that are not
+// hidden, and `displacement`. A point is {x, y}; `path` is a list of points. Any other name is an error with the nearest
+// one. So is, for a life that ended with development, a field that is known only after locomotion.
 #pragma once
 
 #include "evaluation/life.h"

@@ -35,9 +35,9 @@ Life five_cells_away() {
     life.outcome = Outcome::viable;
     life.cells = life.largest = life.births = 40;
     life.rest = {1, 2};
-    life.end = {4, 6};
+    life.finish = {4, 6};
     life.activity = 0.5;
-    life.path = {life.rest, life.end};
+    life.path = {life.rest, life.finish};
     return life;
 }
 

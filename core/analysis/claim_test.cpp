@@ -3,6 +3,7 @@
 
 #include "analysis/chance.h"
 #include "base/text.h"
+#include "evaluation/cyclic_gait.h"
 #include "statistics/bootstrap.h"
 #include "statistics/counts.h"
 #include "statistics/effect_size.h"
@@ -221,7 +222,7 @@ Finding cyclic(const Case &c) {
     int found = 0;
     for (const RunHistory &history : c.a->histories) {
         const ChampionRow &champion = history.after.at(c.generations).champion;
-        found += std::min(champion.late_share, champion.late_actuation) < c.claim.level;
+        found += !is_cyclic(champion.late_share, champion.late_actuation, c.claim.level);
     }
 
     // The original's runs and ours together: how often would chance give ours so many?

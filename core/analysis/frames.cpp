@@ -158,7 +158,7 @@ void film(const Spec &spec, const Recorded &recorded, FrameTables &tables) {
                      .displacement = life.displacement(),
                      .cells = life.cells,
                      .elongation = life.elongation,
-                     .links = life.links,
+                     .links = life.springs,
                      .triangles = life.triangles});
 }
 

@@ -1,34 +1,47 @@
 // SPDX-License-Identifier: MIT
-// What one genome did: the finished, read-only record that an experiment judges.
+// What one genome did: the finished, read-only record that an experiment judges. evaluation/life.inl says what each of
+// its fields holds.
 #pragma once
 
 #include "base/vec2.h"
 #include "body/outcome.h"
 #include "body/shape.h"
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace planula {
 
 struct Life {
-    Outcome outcome = Outcome::died_out;
-    int cells = 0;     // at the end of development
-    int largest = 0;   // most cells alive at once
-    int births = 0;    // cells created, the zygote included
-    int links = 0;     // springs of the body
-    int triangles = 0; // of the body
-    double elongation =
-        0; // length over width of the developed body by its principal axes, >= 1; 0 if no width
-    ShapeDistribution shape{}; // of the developed body; all 0 if growth did not end viable
-    int settle_steps = 0;      // steps until the body came to rest; 0 in water
-    Vec2d rest;                // centre of mass when the body had come to rest (Eq. 4: x_s, y_s)
-    Vec2d end;                 // centre of mass at the end of locomotion (Eq. 4: x_f, y_f)
-    double activity = 0;       // b_a of Eq. 5; 0 with oscillators
-    double late_actuation = 0; // share of all change of muscle signals in the last quarter of locomotion
-    std::vector<Vec2d> path;   // centre of mass every Parameters::path_interval steps, from rest to end
+#define FIELD(type, name, initial, unit, known, meaning) type name = initial;
+#include "evaluation/life.inl"
 
-    /// |end - rest|, the bare distance; 0 unless viable.
-    double displacement() const { return length(end - rest); }
+    /// |finish - rest|, the bare distance (Eq. 4); 0 unless viable.
+    double displacement() const { return length(finish - rest); }
+    bool operator==(const Life &) const = default;
 };
+
+/// The stage that a body must have passed before a field of its life is known. The outcome, known after growth, may
+/// still change in locomotion.
+enum class KnownAfter { growth, locomotion };
+
+struct LifeField {
+    std::string_view name, unit, meaning;
+    KnownAfter known;
+    bool is_shown; // to scripts
+};
+
+/// All fields, in the order of life.inl.
+std::span<const LifeField> life_fields();
+
+/// The field of that name, which must exist.
+const LifeField &life_field(std::string_view name);
+
+/// Calls visit(value) for each field, in the order of life.inl.
+template <class SomeLife, class Visit> void each_field(SomeLife &life, Visit &&visit) {
+#define FIELD(type, name, initial, unit, known, meaning) visit(life.name);
+#include "evaluation/life.inl"
+}
 
 } // namespace planula

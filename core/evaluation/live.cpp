@@ -23,7 +23,7 @@ Life life_of(const Growth &growth) {
     life.cells = growth.cells;
     life.largest = growth.largest;
     life.births = growth.births;
-    life.links = static_cast<int>(growth.body.mesh.links.size());
+    life.springs = static_cast<int>(growth.body.mesh.links.size());
     life.triangles = static_cast<int>(growth.body.mesh.triangles.size());
     life.elongation = elongation(growth.body.positions);
     if (growth.outcome == Outcome::viable) life.shape = shape_distribution(growth.body.positions);
@@ -43,15 +43,12 @@ void disturb(const Nudge &nudge, std::vector<Vec2d> &positions) {
     }
 }
 
-/// What a movement adds to a life, from one that moved alike.
-void move_alike(const Life &moved, Life &life) {
-    life.outcome = moved.outcome;
-    life.settle_steps = moved.settle_steps;
-    life.rest = moved.rest;
-    life.end = moved.end;
-    life.activity = moved.activity;
-    life.late_actuation = moved.late_actuation;
-    life.path = moved.path;
+/// Copies what locomotion decides of a life from one with the same locomotion.
+void copy_locomotion(const Life &known, Life &life) {
+    life.outcome = known.outcome;
+#define FIELD(type, name, initial, unit, stage, meaning)                                                     \
+    if (KnownAfter::stage == KnownAfter::locomotion) life.name = known.name;
+#include "evaluation/life.inl"
 }
 
 } // namespace
@@ -68,7 +65,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     if (recall && conditions.actuation == Actuation::oscillator)
         if (const Life *known =
                 recall(growth.body.positions, read_oscillators(network, growth.tissue, moving.gait))) {
-            move_alike(*known, life);
+            copy_locomotion(*known, life);
             return life;
         }
 
@@ -86,7 +83,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     life.settle_steps = trial.settle_steps;
     if (trial.outcome != Outcome::viable) return life;
     life.rest = trial.rest;
-    life.end = trial.end;
+    life.finish = trial.finish;
     life.activity = trial.activity;
     life.late_actuation = trial.late_actuation;
     life.path = std::move(trial.path);

@@ -9,8 +9,8 @@ namespace planula {
 
 namespace {
 
-/// Feeds records field by field. Each record is taken apart by name, so that one with a further field does not
-/// compile until that field is fed, too.
+/// Feeds records field by field. A life is fed by its list (evaluation/life.inl). Every other record is taken apart by
+/// name, so that one with a further field does not compile until that field is fed, too.
 class Feeder {
   public:
     explicit Feeder(Hash &hash) : hash_(hash) {}
@@ -61,10 +61,7 @@ class Feeder {
         all(generation, genomes, species, threshold, best_ever, next_genome, next_species, innovations);
     }
     void add(const Life &life) {
-        const auto &[outcome, cells, largest, births, links, triangles, elongation, shape, settle_steps, rest,
-                     end, activity, late_actuation, path] = life;
-        all(outcome, cells, largest, births, links, triangles, elongation, shape, settle_steps, rest, end,
-            activity, late_actuation, path);
+        each_field(life, [this](const auto &field) { add(field); });
     }
     void add(const Evaluation &evaluation) {
         const auto &[fitness, behaviour, penalty] = evaluation;

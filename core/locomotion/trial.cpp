@@ -2,6 +2,7 @@
 #include "locomotion/trial.h"
 
 #include "body/body.h"
+#include "locomotion/last_quarter.h"
 
 #include <cmath>
 #include <numeric>
@@ -78,11 +79,11 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
 
     // Step n uses the rest lengths of t = n + 1: exact at knots, linear between them. At t = 0 the ramp is 0.
     Muscles muscles(p, actuation_range, model.nodes(), gait, engine);
-    const int last_quarter = 3 * p.locomotion_steps / 4 / p.knot_interval * p.knot_interval;
+    const int late = last_quarter(p.locomotion_steps, p.knot_interval);
     double before = 0; // change of signals before it
     if (watch) watch(0, engine.positions(), muscles.signals(1));
     for (int start = 0; start < p.locomotion_steps; start += p.knot_interval) {
-        if (start == last_quarter) before = muscles.change();
+        if (start == late) before = muscles.change();
         muscles.reach(start + p.knot_interval, p.knot_interval, engine);
         for (int j = 1; j <= p.knot_interval; ++j) {
             const Motion motion = engine.step(0);
@@ -96,7 +97,7 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
                 watch(t, engine.positions(), muscles.signals(static_cast<double>(j) / p.knot_interval));
         }
     }
-    trial.end = centre_of_mass(engine.positions());
+    trial.finish = centre_of_mass(engine.positions());
     trial.activity = gait.activity();
     const double change = muscles.change();
     trial.late_actuation = change > 0 ? (change - before) / change : 0;

@@ -14,7 +14,7 @@ namespace planula {
 struct Trial {
     Outcome outcome = Outcome::viable; // viable, never_settled or exploded
     int settle_steps = 0;              // until the body was at rest; 0 without gravity
-    Vec2d rest, end;                   // centre of mass at rest and after the last step
+    Vec2d rest, finish;                // centre of mass at rest and after the last step
     double activity = 0;               // b_a of Eq. (5)
     // How much of all change of the signals was in the last quarter of locomotion; 0 if they never changed. With an
     // even rhythm 0.25, after a single contraction 0.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/columns.h"
 
+#include "evaluation/life.h"
+
 namespace planula {
 
 namespace {
@@ -9,7 +11,8 @@ std::vector<ColumnRow> make_columns() {
     std::vector<ColumnRow> rows;
     std::string table;
 #define TABLE(row, file) table = file;
-#define COLUMN(type, name, unit, meaning) rows.push_back({table, #name, unit, meaning});
+#define COLUMN(type, name, unit, meaning)                                                                    \
+    rows.push_back({table, #name, std::string(unit), std::string(meaning)});
 #define END_TABLE
 #include "record/columns.inl"
     return rows;

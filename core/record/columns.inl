@@ -6,9 +6,17 @@
 //   COLUMN(type, name, unit, meaning)
 //   END_TABLE
 //
+// What a table holds of a life is described in evaluation/life.inl: LIFE_COLUMN(type, name) is the column of the field of
+// that name, LIFE_POINT(name) are the columns name_x and name_y of a point.
+//
 // Types: int, std::int64_t, double, std::string; Maybe (a double) and MaybeId (an std::int64_t) may be empty.
 // Units: cell = one cell diameter; step = one physics step; generation = a number from 0; an empty unit means
 // that the value is a text.
+
+#define LIFE_COLUMN(type, name) COLUMN(type, name, life_field(#name).unit, life_field(#name).meaning)
+#define LIFE_POINT(name)                                                                                     \
+    COLUMN(double, name##_x, life_field(#name).unit, std::string(life_field(#name).meaning) + ", horizontal") \
+    COLUMN(double, name##_y, life_field(#name).unit, std::string(life_field(#name).meaning) + ", vertical")
 
 // ---- A run's directory, <setting>/seed-NNN/ ----
 
@@ -97,15 +105,14 @@ COLUMN(int, species, "id", "its species, numbered in order of foundation in the 
 COLUMN(double, fitness, "cell", "fitness, Eq. 4")
 COLUMN(double, score, "as the search", "what the search rewarded: fitness, novelty, individuals outranked (nsga2, nslc), or fitness added to the map (map-elites)")
 COLUMN(double, penalty, "1", "penalty factor p of Eq. 6; 0: not valid")
-COLUMN(std::string, outcome, "", "how its life ended")
-COLUMN(int, cells, "cells", "cells at the end of development")
-COLUMN(int, births, "cells", "cells created, the zygote included")
+LIFE_COLUMN(std::string, outcome)
+LIFE_COLUMN(int, cells)
+LIFE_COLUMN(int, births)
 COLUMN(double, end_x, "cell", "centre of mass at the end of locomotion, horizontal")
 COLUMN(double, end_y, "cell", "centre of mass at the end of locomotion, vertical")
-COLUMN(double, rest_x, "cell", "centre of mass when the body had come to rest, horizontal")
-COLUMN(double, rest_y, "cell", "centre of mass when the body had come to rest, vertical")
-COLUMN(double, activity, "1", "actuation bonus b_a of Eq. 5; 0 with oscillators")
-COLUMN(double, elongation, "1", "length over width of the developed body by its principal axes; 0 without width")
+LIFE_POINT(rest)
+LIFE_COLUMN(double, activity)
+LIFE_COLUMN(double, elongation)
 COLUMN(int, links, "links", "links of the genome")
 COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
 END_TABLE
@@ -141,18 +148,18 @@ COLUMN(int, generation, "generation", "generation in which the run's best fitnes
 COLUMN(int, slot, "slot", "slot of the new champion")
 COLUMN(std::int64_t, genome, "id", "its genome")
 COLUMN(double, fitness, "cell", "its fitness, Eq. 4")
-COLUMN(int, cells, "cells", "cells at the end of development")
+LIFE_COLUMN(int, cells)
 COLUMN(double, displacement, "cell", "distance from rest to end, without bonus and penalty")
 COLUMN(double, late_share, "1", "distance made in the last quarter of locomotion over the displacement; 0 without one")
-COLUMN(double, late_actuation, "1", "changes of muscle signals in the last quarter of locomotion over all; 0 without any")
-COLUMN(double, elongation, "1", "length over width of the developed body by its principal axes; 0 without width")
+LIFE_COLUMN(double, late_actuation)
+LIFE_COLUMN(double, elongation)
 COLUMN(double, x, "cell", "horizontal displacement from rest to end")
 COLUMN(double, y, "cell", "vertical displacement from rest to end")
-COLUMN(int, springs, "springs", "springs of the body")
-COLUMN(int, triangles, "triangles", "triangles of the body")
+LIFE_COLUMN(int, springs)
+LIFE_COLUMN(int, triangles)
 COLUMN(int, links, "links", "links of the genome")
 COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
-COLUMN(int, settle_steps, "step", "steps until the body came to rest; 0 in water")
+LIFE_COLUMN(int, settle_steps)
 END_TABLE
 
 TABLE(GenomeRow, "genome.csv")
@@ -504,6 +511,8 @@ COLUMN(double, core_seconds, "s", "processor time of these generations, growth, 
 COLUMN(double, rate, "individuals/s", "evaluations per core-second, those known not counted")
 END_TABLE
 
+#undef LIFE_POINT
+#undef LIFE_COLUMN
 #undef TABLE
 #undef COLUMN
 #undef END_TABLE

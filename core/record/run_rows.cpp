@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/run_rows.h"
 
+#include "evaluation/cyclic_gait.h"
 #include "record/heredity.h"
 #include "statistics/summary.h"
 
@@ -13,16 +14,19 @@ namespace planula {
 namespace {
 
 constexpr int fitness_classes = 100;
-constexpr double near_best = 0.9;   // of the highest fitness
-constexpr double cyclic_late = 0.1; // of distance and of muscle signals, in the last quarter of a cyclic gait
+constexpr double near_best = 0.9; // of the highest fitness
 
-/// The part of the displacement that the last quarter of locomotion made.
-double late_share(const Life &life, const Parameters &parameters) {
-    const double displacement = life.displacement();
-    const std::size_t sample =
-        static_cast<std::size_t>(parameters.gait.locomotion_steps) * 3 / 4 / parameters.gait.path_interval;
-    if (displacement == 0 || sample >= life.path.size()) return 0;
-    return length(life.end - life.path[sample]) / displacement;
+const char *to_column(Outcome outcome) { return name_of(outcome); }
+double to_column(double value) { return value; }
+int to_column(int value) { return value; }
+
+/// Fills every column of a row that is called as a field of the life; the columns of a point end in _x and _y.
+template <class AnyLife, class Row> void fill(const AnyLife &life, Row &row) {
+#define FIELD(type, name, initial, unit, known, meaning)                                                     \
+    if constexpr (requires { row.name; }) row.name = to_column(life.name);                                   \
+    if constexpr (requires { row.name##_x, row.name##_y; })                                                  \
+        row.name##_x = life.name.x, row.name##_y = life.name.y;
+#include "evaluation/life.inl"
 }
 
 /// Adds one life to the counts of its generation.
@@ -77,7 +81,7 @@ void add_cyclic(const Generation &g, const Parameters &parameters, GenerationRow
     for (std::size_t slot = 0; slot < g.lives.size(); ++slot) {
         if (g.evaluations[slot].fitness <= 0) continue;
         const Life &life = g.lives[slot];
-        cyclic += std::min(late_share(life, parameters), life.late_actuation) >= cyclic_late;
+        cyclic += is_cyclic(late_share(life, parameters.gait), life.late_actuation);
         ++all;
     }
     if (all > 0) row.cyclic = static_cast<double>(cyclic) / all;
@@ -88,7 +92,7 @@ void add_headings(const Generation &g, GenerationRow &row) {
     for (const Life &life : g.lives) {
         const double distance = life.displacement();
         if (distance == 0) continue;
-        const Vec2d heading = (life.end - life.rest) / distance;
+        const Vec2d heading = (life.finish - life.rest) / distance;
         ++row.moved;
         row.heading_x += heading.x;
         row.heading_y += heading.y;
@@ -107,7 +111,7 @@ GenerationRow generation_row(const Generation &g, const Parameters &parameters) 
     row.archive = static_cast<int>(g.search.archive().size());
     row.archive_threshold = g.search.archive_threshold();
 
-    const Vec2d best = g.lives[g.best].end - g.lives[g.best].rest;
+    const Vec2d best = g.lives[g.best].finish - g.lives[g.best].rest;
     row.best_x = best.x, row.best_y = best.y;
     add_fitness(g, row);
     add_headings(g, row);
@@ -163,50 +167,41 @@ std::vector<int> species_of_slots(const Population &population) {
 ChampionRow champion_row(const Generation &g, const Parameters &parameters) {
     const Life &life = g.lives[g.best];
     const Genome &genome = g.population.genomes[g.best];
-    const Vec2d moved = life.end - life.rest;
-    return {.generation = g.number,
-            .slot = g.best,
-            .genome = genome.id,
-            .fitness = g.evaluations[g.best].fitness,
-            .cells = life.cells,
-            .displacement = life.displacement(),
-            .late_share = late_share(life, parameters),
-            .late_actuation = life.late_actuation,
-            .elongation = life.elongation,
-            .x = moved.x,
-            .y = moved.y,
-            .springs = life.links,
-            .triangles = life.triangles,
-            .links = static_cast<int>(genome.links.size()),
-            .hidden = genome.hidden(),
-            .settle_steps = life.settle_steps};
+    const Vec2d moved = life.finish - life.rest;
+    ChampionRow row{.generation = g.number,
+                    .slot = g.best,
+                    .genome = genome.id,
+                    .fitness = g.evaluations[g.best].fitness,
+                    .displacement = life.displacement(),
+                    .late_share = late_share(life, parameters.gait),
+                    .x = moved.x,
+                    .y = moved.y,
+                    .links = static_cast<int>(genome.links.size()),
+                    .hidden = genome.hidden()};
+    fill(life, row);
+    return row;
 }
 
 IndividualRow individual_row(const Generation &g, int slot, int species) {
     const Life &life = g.lives[slot];
     const Genome &genome = g.population.genomes[slot];
     const Evaluation &evaluation = g.evaluations[slot];
-    return {.generation = g.number,
-            .slot = slot,
-            .genome = genome.id,
-            .mother = genome.mother,
-            .father = genome.father,
-            .origin = name_of(genome.origin),
-            .species = species,
-            .fitness = evaluation.fitness,
-            .score = g.scores[slot],
-            .penalty = evaluation.penalty,
-            .outcome = name_of(life.outcome),
-            .cells = life.cells,
-            .births = life.births,
-            .end_x = life.end.x,
-            .end_y = life.end.y,
-            .rest_x = life.rest.x,
-            .rest_y = life.rest.y,
-            .activity = life.activity,
-            .elongation = life.elongation,
-            .links = static_cast<int>(genome.links.size()),
-            .hidden = genome.hidden()};
+    IndividualRow row{.generation = g.number,
+                      .slot = slot,
+                      .genome = genome.id,
+                      .mother = genome.mother,
+                      .father = genome.father,
+                      .origin = name_of(genome.origin),
+                      .species = species,
+                      .fitness = evaluation.fitness,
+                      .score = g.scores[slot],
+                      .penalty = evaluation.penalty,
+                      .end_x = life.finish.x,
+                      .end_y = life.finish.y,
+                      .links = static_cast<int>(genome.links.size()),
+                      .hidden = genome.hidden()};
+    fill(life, row);
+    return row;
 }
 
 SpeciesRow species_row(const Generation &g, const Species &species) {

@@ -23,7 +23,7 @@ local longest = 8 -- times as long as wide; a body without width counts as this
 -- a chain to nearly 3 in a disc).
 function descriptors.shape(life)
   local elongation = life.elongation > 0 and math.min(life.elongation, longest) or longest
-  return { life.cells / cells_per_niche, elongation, 4 * life.links / math.max(life.cells, 1) }
+  return { life.cells / cells_per_niche, elongation, 4 * life.springs / math.max(life.cells, 1) }
 end
 
 return descriptors

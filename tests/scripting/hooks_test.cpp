@@ -19,7 +19,7 @@ Life life_at(double x) {
     Life life;
     life.outcome = Outcome::viable;
     life.cells = 10;
-    life.end = {x, 0};
+    life.finish = {x, 0};
     life.path = {{0, 0}, {x / 2, 1}, {x, 0}};
     return life;
 }
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
             "(function() local n = 0 for i, p in ipairs(life.path) do n = n + i * p.x end return n end)()") ==
         2 * 4 + 3 * 8);
     BOOST_TEST(fitness_of("life.outcome == 'viable' and 1 or 0") == 1);
-    BOOST_TEST(fitness_of("life.births + life.largest + life.links + life.triangles + life.elongation + "
+    BOOST_TEST(fitness_of("life.births + life.largest + life.springs + life.triangles + life.elongation + "
                           "life.settle_steps + life.activity + life.late_actuation") == 0);
 }
 

@@ -24,7 +24,7 @@ Life walker() {
     life.cells = life.largest = 20;
     life.births = 25;
     life.rest = {1, 2};
-    life.end = {4, 6};
+    life.finish = {4, 6};
     return life;
 }
 

@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(helpers_count_however_deep) {
                            "g(life) end");
     };
     BOOST_TEST(with("life.cells") == with("life.cells -- their number\n"));
-    BOOST_TEST(with("life.cells") != with("life.links"));
+    BOOST_TEST(with("life.cells") != with("life.springs"));
     // So does what a function in a function closes over.
     const auto inner = [](const std::string &value) {
         return fitness("function(life) return (function() return k end)() end", "local k = " + value);

@@ -360,7 +360,7 @@ BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_
                      "penalty = function(life) return life.settle_steps > 0 and 1 or 0 end"),
         "test.lua:4: life.settle_steps is known only"));
     const std::string known =
-        "{ life.births, life.cells, life.elongation, life.largest, life.links, life.triangles, "
+        "{ life.births, life.cells, life.elongation, life.largest, life.springs, life.triangles, "
         "life.outcome == 'viable' and 1 or 0 }";
     BOOST_TEST(experiment("return paper.experiment { name = 'x', start = { generations = 2, behaviour = "
                           "function(life) return " +
@@ -378,17 +378,17 @@ BOOST_AUTO_TEST_CASE(the_descriptors_are_what_they_say) {
     };
     Life life;
     life.outcome = Outcome::viable;
-    life.cells = 40, life.links = 90, life.elongation = 3;
+    life.cells = 40, life.springs = 90, life.elongation = 3;
     // Sixteenths of a turn: right, up, left, down, and a hair below right.
     for (const auto &[moved, sixteenth] : {std::pair{Vec2d{2, 0}, 0.0},
                                            {Vec2d{0, 3}, 4.0},
                                            {Vec2d{-1, 0}, 8.0},
                                            {Vec2d{0, -1}, 12.0},
                                            {Vec2d{1, -1e-300}, 0.0}}) {
-        life.end = moved;
+        life.finish = moved;
         BOOST_TEST((described("size_and_direction", life) == std::vector<double>{2.5, sixteenth}));
     }
-    life.rest = {1, 1}, life.end = {1, 3};
+    life.rest = {1, 1}, life.finish = {1, 3};
     BOOST_TEST((described("size_and_direction", life) == std::vector<double>{2.5, 4}));
     BOOST_TEST((described("shape", life) == std::vector<double>{2.5, 3, 9}));
     life.elongation = 0; // no width at all

@@ -72,7 +72,7 @@ inline Conditions short_life(int combination) {
 inline std::string flaw(const Life &life, const Parameters &p) {
     const auto outcome = static_cast<std::size_t>(life.outcome);
     if (outcome >= outcome_names.size()) return "an outcome without a name";
-    if (!is_finite(life.rest) || !is_finite(life.end)) return "a place that is not finite";
+    if (!is_finite(life.rest) || !is_finite(life.finish)) return "a place that is not finite";
     for (const Vec2d place : life.path)
         if (!is_finite(place)) return "a path that is not finite";
     if (!std::isfinite(life.elongation) || life.elongation < 0) return "an elongation that is none";

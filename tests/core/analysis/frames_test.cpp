@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(gait_is_shown_over_the_longest_period_up_to_the_end) {
     for (const FrameRow &row : read_table<FrameRow>(folder / "frames"))
         if (row.stage == "gait") steps.push_back(row.step), last = row;
     BOOST_TEST((steps == std::vector<int>{3600, 3680, 3760, 3840, 3920, 4000}));
-    BOOST_TEST(last.centre_x == swimmer().life.end.x);
-    BOOST_TEST(last.centre_y == swimmer().life.end.y);
+    BOOST_TEST(last.centre_x == swimmer().life.finish.x);
+    BOOST_TEST(last.centre_y == swimmer().life.finish.y);
 }
 
 BOOST_AUTO_TEST_CASE(every_frame_has_its_cells_and_links) {
@@ -99,12 +99,12 @@ BOOST_AUTO_TEST_CASE(every_frame_has_its_cells_and_links) {
     for (const FrameRow &row : read_table<FrameRow>(folder / "frames"))
         BOOST_TEST((cells[{row.stage, row.frame}]) == row.cells);
     const Life &life = swimmer().life;
-    for (int frame = 0; frame < 6; ++frame) BOOST_TEST((links[{"gait", frame}]) == life.links);
-    BOOST_TEST((links[{"growth", 5}]) == life.links);
+    for (int frame = 0; frame < 6; ++frame) BOOST_TEST((links[{"gait", frame}]) == life.springs);
+    BOOST_TEST((links[{"growth", 5}]) == life.springs);
     BOOST_TEST((links[{"growth", 0}]) == 0);
     BOOST_TEST((rim[{"growth", 5}]) == (rim[{"gait", 5}]));
     BOOST_TEST((rim[{"gait", 5}]) > 0);
-    BOOST_TEST((rim[{"gait", 5}]) <= life.links);
+    BOOST_TEST((rim[{"gait", 5}]) <= life.springs);
 }
 
 BOOST_AUTO_TEST_CASE(the_body_is_described) {
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_body_is_described) {
     BOOST_TEST(rows[0].setting == "water");
     BOOST_TEST(rows[0].fitness == 1.5);
     BOOST_TEST(rows[0].displacement == swimmer().life.displacement());
-    BOOST_TEST(rows[0].links == swimmer().life.links);
+    BOOST_TEST(rows[0].links == swimmer().life.springs);
     BOOST_TEST(rows[0].triangles == swimmer().life.triangles);
 }
 

@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(every_individual_can_be_had_again_as_the_run_observed_it) {
                 BOOST_TEST(again.life.cells == then.life.cells);
                 BOOST_TEST(again.life.births == then.life.births);
                 BOOST_TEST(again.life.elongation == then.life.elongation);
-                BOOST_TEST((again.life.end == then.life.end));
+                BOOST_TEST((again.life.finish == then.life.finish));
                 BOOST_TEST((again.life.path == then.life.path));
             }
     }

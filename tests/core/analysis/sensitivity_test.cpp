@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_sample_is_of_all_runs_and_the_same_each_time_and_lived_as
     BOOST_TEST(one[0].genomes.size() == 20u);
     BOOST_TEST((one[0].genomes == two[0].genomes));
     for (std::size_t i = 0; i < 20; ++i)
-        BOOST_TEST((one[0].lives[i].end == live(one[0].genomes[i], settings[0]).end));
+        BOOST_TEST((one[0].lives[i].finish == live(one[0].genomes[i], settings[0]).finish));
 
     // Seven runs' worth of chance against all being of one run.
     std::vector<double> first_weights;

@@ -41,7 +41,8 @@ Spec swimmers() {
     spec.environment.drag_tangential = 0.1;
     spec.judge = [](const Life &life) {
         const bool viable = life.outcome == Outcome::viable;
-        return Evaluation{viable ? life.displacement() : 0, {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
+        return Evaluation{
+            viable ? life.displacement() : 0, {life.finish.x, life.finish.y}, viable ? 1.0 : 0.0};
     };
     return spec;
 }

@@ -29,12 +29,6 @@ Life lived(const Genome &genome, Actuation actuation, bool on_land, const Watch 
     return live(genome, conditions(actuation, on_land), watch);
 }
 
-bool equal(const Life &a, const Life &b) {
-    return a.outcome == b.outcome && a.cells == b.cells && a.rest == b.rest && a.end == b.end &&
-           a.activity == b.activity && a.late_actuation == b.late_actuation && a.path == b.path &&
-           a.elongation == b.elongation;
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_lump_that_beats_grows_and_moves_in_all_four_settings) {
@@ -46,7 +40,7 @@ BOOST_AUTO_TEST_CASE(a_lump_that_beats_grows_and_moves_in_all_four_settings) {
             BOOST_TEST(life.displacement() > 0.01);
             BOOST_TEST(life.path.size() == 41u);
             BOOST_TEST((life.path.front() == life.rest));
-            BOOST_TEST((life.path.back() == life.end));
+            BOOST_TEST((life.path.back() == life.finish));
             BOOST_TEST((life.activity > 0) == (actuation == Actuation::grn));
             BOOST_TEST((life.settle_steps > 0) == on_land);
         }
@@ -73,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_body_without_muscles_ends_where_it_starts) {
     const Life life = lived(still, Actuation::grn, false);
     BOOST_TEST(life.outcome == Outcome::viable);
     BOOST_TEST(life.displacement() < 4e-3);
-    BOOST_TEST(length(life.end) < 4e-3);
+    BOOST_TEST(length(life.finish) < 4e-3);
     BOOST_TEST(life.activity == 0);
 }
 
@@ -86,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_life_is_pure_on_every_thread_and_after_any_other) {
         const std::size_t back = genomes.size() - 1 - static_cast<std::size_t>(i);
         second[back] = lived(genomes[back], Actuation::grn, true);
     });
-    for (std::size_t i = 0; i < genomes.size(); ++i) BOOST_TEST(equal(first[i], second[i]));
+    for (std::size_t i = 0; i < genomes.size(); ++i) BOOST_TEST((first[i] == second[i]));
 }
 
 BOOST_AUTO_TEST_CASE(watching_changes_nothing_and_sees_everything) {
@@ -102,7 +96,7 @@ BOOST_AUTO_TEST_CASE(watching_changes_nothing_and_sees_everything) {
         last = centre_of_mass(nodes);
     };
     const Life watched = lived(genome, Actuation::oscillator, false, watch);
-    BOOST_TEST(equal(watched, lived(genome, Actuation::oscillator, false)));
+    BOOST_TEST((watched == lived(genome, Actuation::oscillator, false)));
     BOOST_TEST(grown == 601);
     BOOST_TEST(born == watched.cells);
     BOOST_TEST(moved == 4001);
@@ -136,7 +130,7 @@ BOOST_AUTO_TEST_CASE(bullet_confirms_what_the_native_engine_finds) {
         BOOST_TEST(std::abs(bullet.rest.y - native.rest.y) < 0.02); // in water both are 0
         BOOST_TEST(bullet.displacement() == native.displacement(),
                    boost::test_tools::tolerance(on_land ? 0.1 : 0.001));
-        BOOST_TEST(equal(bullet, live(genome, witnessed)));
+        BOOST_TEST((bullet == live(genome, witnessed)));
     }
 }
 
@@ -148,7 +142,7 @@ BOOST_AUTO_TEST_CASE(hostile_weights_end_in_a_named_outcome_and_finite_numbers) 
             genome.links[seed % genome.links.size()].weight = hostile;
             const Life life = lived(genome, Actuation::grn, true);
             BOOST_REQUIRE(is_finite(life.rest));
-            BOOST_REQUIRE(is_finite(life.end));
+            BOOST_REQUIRE(is_finite(life.finish));
             BOOST_REQUIRE(std::isfinite(life.activity));
             BOOST_REQUIRE(std::isfinite(life.elongation));
         }

@@ -26,7 +26,7 @@ Spec with_start(int generations, int *lives = nullptr, Actuation actuation = Act
     spec.parameters.design.generations = 2;
     spec.parameters.gait.locomotion_steps = 200;
     spec.judge = [](const Life &life) {
-        return Evaluation{life.displacement(), {life.end.x}, life.outcome == Outcome::viable ? 1.0 : 0.0};
+        return Evaluation{life.displacement(), {life.finish.x}, life.outcome == Outcome::viable ? 1.0 : 0.0};
     };
     spec.start.emplace();
     spec.start->generations = generations;

@@ -22,7 +22,7 @@ inline Spec swimmers(std::string_view search, Actuation actuation, int populatio
     spec.parameters.gait.locomotion_steps = locomotion_steps;
     spec.judge = [](const Life &life) {
         const bool viable = life.outcome == Outcome::viable;
-        return Evaluation{life.displacement(), {life.end.x, life.end.y}, viable ? 1.0 : 0.0};
+        return Evaluation{life.displacement(), {life.finish.x, life.finish.y}, viable ? 1.0 : 0.0};
     };
     return spec;
 }

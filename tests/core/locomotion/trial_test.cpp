@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
     const Trial trial = locomote(model, water(), 0.4, Parameters(), gait, engine);
     BOOST_TEST(trial.settle_steps == 0);
     BOOST_TEST((trial.rest == Vec2d{0, 0}));
-    BOOST_TEST((trial.end == Vec2d{4000, 0}));
+    BOOST_TEST((trial.finish == Vec2d{4000, 0}));
     BOOST_TEST(trial.path.size() == 41u);
     BOOST_TEST((trial.path[1] == Vec2d{100, 0}));
     for (const double damping : engine.dampings) BOOST_REQUIRE(damping == 0);

@@ -145,7 +145,7 @@ inline Life life_of(const FakeLife &fake, const Parameters &parameters) {
     life.elongation = fake.elongation;
     if (fake.outcome != Outcome::viable) return life;
     life.rest = {0.25, 0.5};
-    life.end = life.rest + fake.moved;
+    life.finish = life.rest + fake.moved;
     life.late_actuation = fake.late_actuation;
     const int samples = parameters.gait.locomotion_steps / parameters.gait.path_interval;
     for (int i = 0; i <= samples; ++i)
