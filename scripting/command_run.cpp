@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "experiment/run.h"
+#include "record/complete_run.h"
 #include "record/run_writer.h"
 #include "scripting/commands.h"
 #include "scripting/forecast.h"
@@ -186,7 +187,7 @@ class RunCommand {
                           " of " + to_text(writer.generations()));
         }
         RunState state = left ? std::move(*left) : begin(setting.spec, seed, workers, stop);
-        writer.between(state, setting.hooks->memory());
+        writer.before_generation(state, setting.hooks->memory());
         return state;
     }
 
@@ -218,9 +219,9 @@ class RunCommand {
         try {
             planula::run(
                 spec, run.seed, workers, state, observe,
-                [&](const RunState &now) { writer.between(now, hooks.memory()); }, stop);
+                [&](const RunState &now) { writer.before_generation(now, hooks.memory()); }, stop);
         } catch (const Stopped &) {
-            writer.keep(state, hooks.memory());
+            writer.checkpoint(state, hooks.memory());
             throw;
         }
         hooks.check_unchanged();

@@ -36,9 +36,14 @@ struct KeptState {
     const JournalMark &mark_of(std::string_view table) const;
 };
 
-/// Whether the state before this generation stays in states/ for good.
+/// Whether the state before this generation stays in states/ for good, however long the run becomes.
 constexpr bool is_kept_generation(int generation) {
     return generation == 25 || generation == 50 || (generation > 0 && generation % 100 == 0);
+}
+
+/// Whether a complete run of so many generations has the state before this one in states/.
+constexpr bool is_kept_at_end(int generation, int generations) {
+    return is_kept_generation(generation) || generation == generations - 1;
 }
 
 /// states/NNNNNN.state in a run's folder.

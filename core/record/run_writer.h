@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A run on its way to disk (record/run_folder.h). While it is under way its tables are journals (record/journal.h), and
 // every few generations a checkpoint says where it stands (record/kept_state.h). A writer that finds such a run resumes
-// there, one that finds a complete run which is too short makes it longer, and the results are the same to the byte as
-// those of one process that was never stopped. Nothing in them depends on the clock or the machine but the manifest's
-// row of the compiler. Memory does not grow with the generations.
+// there (record/resume_point.h), one that finds a complete run which is too short makes it longer, and the results are
+// the same to the byte as those of one process that was never stopped. Nothing in them depends on the clock or the
+// machine but the manifest's row of the compiler. Memory does not grow with the generations.
 #pragma once
 
 #include "experiment/run.h"
@@ -20,6 +20,8 @@
 #include <vector>
 
 namespace planula {
+
+struct ResumePoint;
 
 class RunWriter {
   public:
@@ -47,25 +49,18 @@ class RunWriter {
 
     /// Appends one generation; to be called once for each, in order. Throws IoError.
     void observe(const Generation &generation);
-    /// Before each generation, the first one included: keeps the state if it is time. `memory`: what the judge will
-    /// want to know.
-    void between(const RunState &state, const std::string &memory);
+    /// To be called before each generation, the first one included: keeps the state if that is due. `memory`: what the
+    /// judge must know to continue (see memory()).
+    void before_generation(const RunState &state, const std::string &memory);
     /// Writes a checkpoint now, unless the last one says the same.
-    void keep(const RunState &state, const std::string &memory);
+    void checkpoint(const RunState &state, const std::string &memory);
     /// After the last generation: puts every table under its name, the manifest last.
     void finish();
 
   private:
-    struct Found;
-    void open();
-    Found find_state(int done);
-    bool take(const std::filesystem::path &path, JournalStart::From tables, Found &found);
-    void resume(const Found &found);
-    void restore(const Found &found);
-    bool is_to_stay(int generation) const;
+    void resume(const ResumePoint &point);
+    void restore(const ResumePoint &point);
     KeptState kept_state(const RunState &state, const std::string &memory);
-    void write_manifest(const std::vector<std::pair<std::string, std::string>> &tables);
-    void remove_other_states() const;
 
     std::filesystem::path folder_;
     Spec spec_;
@@ -81,9 +76,5 @@ class RunWriter {
     std::optional<int> kept_; // those that the newest checkpoint knows of
     double best_fitness_ = 0;
 };
-
-/// Removes what a process that was killed at the very end of a run left beside its complete results. Does nothing if the
-/// run is not complete, is becoming longer, or is in use.
-void tidy_complete_run(const std::filesystem::path &folder);
 
 } // namespace planula

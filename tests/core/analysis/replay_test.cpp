@@ -23,7 +23,7 @@ struct Seen {
     explicit Seen(const std::string &search) : spec(quick::spec(search, generations)) {
         RunWriter writer(place, spec, quick::seed, fake_sources());
         RunState state = begin(spec, quick::seed);
-        writer.between(state, "");
+        writer.before_generation(state, "");
         run(
             spec, quick::seed, 1, state,
             [&](const Generation &g) {
@@ -34,7 +34,7 @@ struct Seen {
                     slots.push_back(
                         {g.population.genomes[slot], g.lives[slot], g.evaluations[slot], g.scores[slot]});
             },
-            [&](const RunState &now) { writer.between(now, ""); });
+            [&](const RunState &now) { writer.before_generation(now, ""); });
         writer.finish();
     }
     RecordedRun open() const { return open_run(place); }

@@ -52,10 +52,10 @@ void evolve(const Spec &spec, const std::filesystem::path &runs) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         RunWriter writer(run_folder(runs, spec.name, seed), spec, seed, fake_sources());
         RunState state = begin(spec, seed);
-        writer.between(state, "");
+        writer.before_generation(state, "");
         run(
             spec, seed, 2, state, [&](const Generation &g) { writer.observe(g); },
-            [&](const RunState &now) { writer.between(now, ""); });
+            [&](const RunState &now) { writer.before_generation(now, ""); });
         writer.finish();
     }
 }

@@ -207,7 +207,7 @@ class FakeRun {
     /// Hands the writer what a real run does for one generation.
     void step(RunWriter &writer, const Invent &invent) {
         number_genomes();
-        writer.between(state_, "");
+        writer.before_generation(state_, "");
         observe(invent, [&](const Generation &generation) { writer.observe(generation); });
     }
 

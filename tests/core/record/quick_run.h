@@ -41,14 +41,14 @@ inline bool run_on(const std::filesystem::path &folder, const Spec &asked, int e
     spec.parameters.design.generations = writer.generations();
     std::optional<RunState> left = writer.take_state();
     RunState state = left ? std::move(*left) : begin(spec, seed);
-    if (!left) writer.between(state, "");
+    if (!left) writer.before_generation(state, "");
     try {
         run(
             spec, seed, 1, state, [&](const Generation &generation) { writer.observe(generation); },
-            [&](const RunState &now) { writer.between(now, ""); },
+            [&](const RunState &now) { writer.before_generation(now, ""); },
             [counted = 0, evaluations]() mutable { return counted++ == evaluations; });
     } catch (const Stopped &) {
-        if (end == End::stopped) writer.keep(state, "");
+        if (end == End::stopped) writer.checkpoint(state, "");
         return false;
     }
     writer.finish();

@@ -148,40 +148,6 @@ BOOST_AUTO_TEST_CASE(the_same_run_is_written_with_the_same_bytes) {
                 contents(write_fake_run(two.path(), spec, seed, life))));
 }
 
-BOOST_AUTO_TEST_CASE(the_manifest_has_the_hash_of_every_file_and_the_last_link) {
-    const TemporaryFolder folder;
-    const auto place = write_fake_run(folder.path(), fake_spec("osc", 3, 4, "novelty"), seed, life);
-    const Manifest manifest(place);
-    manifest.check_seal();
-    std::size_t files = 0;
-    for (const ManifestRow &row : manifest.rows())
-        if (is_file(row.key)) {
-            ++files;
-            BOOST_TEST(row.value == content_sha256(place / row.key), row.key);
-        }
-    BOOST_TEST(files == contents(place).size() - 1);
-    BOOST_TEST(manifest.text("link") == read_chain(place).back().link);
-    BOOST_TEST(manifest.text("record") == "full");
-    BOOST_TEST(manifest.number("seed") == 5);
-    BOOST_TEST(manifest.number("evaluations") == 12);
-}
-
-BOOST_AUTO_TEST_CASE(states_stay_of_generations_25_50_and_every_100_and_of_the_last) {
-    for (const int generation : {25, 50, 100, 200, 1900})
-        BOOST_TEST(is_kept_generation(generation), generation);
-    for (const int generation : {0, 1, 24, 26, 75, 99, 125, 150, 1950})
-        BOOST_TEST(!is_kept_generation(generation), generation);
-    const TemporaryFolder folder;
-    const auto place = write_fake_run(folder.path(), fake_spec("osc", 104, 2), seed, life);
-    BOOST_TEST((kept_generations(place) == std::vector{25, 50, 100, 103}));
-    const RecordedRun run = read_run(place);
-    for (const int generation : kept_generations(place)) {
-        const RunState state = read_run_state(run, fake_spec("osc", 104, 2), generation);
-        BOOST_TEST(state.population.generation == generation);
-        BOOST_TEST(state.population.genomes.front().id == 2 * generation);
-    }
-}
-
 BOOST_AUTO_TEST_CASE(a_second_process_does_not_get_the_folder) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
@@ -375,23 +341,6 @@ BOOST_AUTO_TEST_CASE(a_life_with_a_number_that_is_not_finite_is_a_broken_promise
     FakeRun run(spec, seed);
     BOOST_CHECK_THROW(run.step(writer, [](int, int) { return FakeLife{.elongation = std::nan("")}; }),
                       InternalError);
-}
-
-BOOST_AUTO_TEST_CASE(a_full_disk_ends_the_run_without_a_manifest) {
-    for (const char *file : {"individuals.csv.gz", "chain.csv", "manifest.csv", "states/000002.state"}) {
-        const TemporaryFolder folder;
-        const Spec spec = fake_spec("osc", 3, 4);
-        const std::string said = message_of<IoError>([&] {
-            RunWriter writer(folder / "run", spec, seed, fake_sources());
-            fill_disk_of(folder / ("run/" + std::string(file) + ".tmp"));
-            FakeRun run(spec, seed);
-            for (int g = 0; g < 3; ++g) run.step(writer, life);
-            writer.finish();
-        });
-        BOOST_TEST(said == "cannot write " + (folder / "run" / std::filesystem::path(file)).string() +
-                               ": No space left on device");
-        BOOST_TEST(complete_generations(folder / "run") == 0);
-    }
 }
 
 BOOST_AUTO_TEST_CASE(a_full_disk_at_the_beginning_leaves_no_run) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs that are stopped, killed and damaged on the way, and what their folders come to in the end.
-#include "record/run_writer.h"
+#include "record/resume_point.h"
 
 #include "base/error.h"
 #include "base/state.h"
@@ -39,6 +39,47 @@ std::string refusal(const fs::path &folder, const Spec &asked = quick::spec()) {
 void duplicate(const fs::path &from, const fs::path &to) { fs::copy(from, to, fs::copy_options::recursive); }
 
 } // namespace
+
+BOOST_AUTO_TEST_CASE(a_run_without_states_begins_at_its_beginning) {
+    const TemporaryFolder folder;
+    const ResumePoint point = find_resume_point(folder.path(), "identity", 0);
+    BOOST_TEST(!point.kept);
+    BOOST_TEST((point.start_of("generations.csv").from == JournalStart::From::nothing));
+    BOOST_TEST(point.damaged.empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_newest_state_that_can_be_read_is_the_resume_point) {
+    const TemporaryFolder folder;
+    const fs::path place = folder / "run";
+    leave_two_checkpoints(place);
+    const std::string identity = recorded_run(place)->identity.sha256();
+    const auto expect = [&](const std::string &file, int generation, std::size_t damaged) {
+        const ResumePoint point = find_resume_point(place, identity, 0);
+        BOOST_TEST(point.file == place / fs::path(file));
+        BOOST_TEST(point.kept.value().generation == generation);
+        BOOST_TEST((point.tables == JournalStart::From::journal));
+        BOOST_TEST(point.damaged.size() == damaged);
+        BOOST_TEST(point.start_of("generations.csv").mark.length > 0);
+        BOOST_TEST(point.load(place, quick::spec()).population.generation == generation);
+    };
+    expect("checkpoint", 4, 0);
+    write_bytes(place / "checkpoint", "damaged");
+    expect("states/000004.state", 4, 1);
+    write_bytes(place / "states/000004.state", "damaged");
+    expect("checkpoint.previous", 2, 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_state_within_the_complete_generations_belongs_to_the_published_tables) {
+    const TemporaryFolder folder;
+    quick::write(folder / "run", quick::spec("novelty", 3));
+    const ResumePoint point =
+        find_resume_point(folder / "run", recorded_run(folder / "run")->identity.sha256(), 3);
+    BOOST_TEST(point.kept.value().generation == 2);
+    BOOST_TEST((point.tables == JournalStart::From::target));
+    BOOST_TEST(!is_becoming_longer(folder / "run", 3));
+    run_on(folder / "run", quick::spec("novelty", 7), 2 * population);
+    BOOST_TEST(is_becoming_longer(folder / "run", 3));
+}
 
 BOOST_AUTO_TEST_CASE(a_run_stopped_at_every_generation_leaves_the_same_bytes) {
     for (const std::string search : {"neat", "novelty", "nsga2", "map-elites"}) {
@@ -186,12 +227,13 @@ BOOST_AUTO_TEST_CASE(what_the_judge_remembers_comes_back) {
     {
         RunWriter writer(folder / "run", quick::spec(), quick::seed, fake_sources(), 2);
         RunState state = begin(quick::spec(), quick::seed);
-        BOOST_CHECK_THROW(run(
-                              quick::spec(), quick::seed, 1, state,
-                              [&](const Generation &generation) { writer.observe(generation); },
-                              [&](const RunState &now) { writer.between(now, std::string("mem\0ory", 7)); },
-                              [asked = 0]() mutable { return asked++ == 2 * population; }),
-                          Stopped);
+        BOOST_CHECK_THROW(
+            run(
+                quick::spec(), quick::seed, 1, state,
+                [&](const Generation &generation) { writer.observe(generation); },
+                [&](const RunState &now) { writer.before_generation(now, std::string("mem\0ory", 7)); },
+                [asked = 0]() mutable { return asked++ == 2 * population; }),
+            Stopped);
         BOOST_TEST(writer.memory().empty());
     }
     const RunWriter writer(folder / "run", quick::spec(), quick::seed, fake_sources());
