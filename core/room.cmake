@@ -30,5 +30,5 @@ endfunction()
 # quick(TARGET): in a release compiled with little optimisation, for what computes little.
 function(quick target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-    share_headers(${target} record)
+    share_headers(${target} storage)
 endfunction()

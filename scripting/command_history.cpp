@@ -7,12 +7,12 @@
 #include "analysis/replay.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
-#include "record/output.h"
 #include "record/run_reader.h"
 #include "scripting/commands.h"
 #include "scripting/interrupt.h"
+#include "storage/output.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <optional>
 #include <ostream>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/text.h"
 #include "parameters/parameters.h"
-#include "record/csv.h"
-#include "record/ledger.h"
 #include "scripting/commands.h"
+#include "tables/csv.h"
+#include "tables/ledger.h"
 
 #include <ostream>
 

@@ -2,9 +2,9 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "record/merge.h"
-#include "record/output.h"
 #include "record/run_reader.h"
 #include "scripting/commands.h"
+#include "storage/output.h"
 
 #include <ostream>
 #include <set>

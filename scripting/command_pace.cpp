@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/text.h"
 #include "experiment/run.h"
-#include "record/csv.h"
 #include "scripting/commands.h"
 #include "scripting/interrupt.h"
 #include "scripting/progress.h"
+#include "tables/csv.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "experiment/world_numbers.h"
-#include "record/csv.h"
 #include "scripting/commands.h"
+#include "tables/csv.h"
 
 #include <optional>
 #include <ostream>

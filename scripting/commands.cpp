@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "experiment/revision.h"
-#include "record/manifest.h"
+#include "tables/manifest.h"
 
 #include <algorithm>
 #include <ostream>

@@ -7,11 +7,11 @@
 #include "experiment/run_state.h"
 #include "experiment/sample.h"
 #include "record/kept_state.h"
-#include "record/packed.h"
 #include "record/run_tables.h"
 #include "scripting/commands.h"
 #include "scripting/interrupt.h"
 #include "scripting/progress.h"
+#include "storage/packed.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "record/csv.h"
+#include "tables/csv.h"
 
 #include <cerrno>
 #include <csignal>

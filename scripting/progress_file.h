@@ -3,8 +3,8 @@
 // seconds and removed at the end. `planula status` reads it. It is no result: whether it can be written decides nothing.
 #pragma once
 
-#include "record/columns.h"
 #include "scripting/progress.h"
+#include "tables/columns.h"
 
 #include <filesystem>
 #include <vector>

@@ -5,9 +5,9 @@
 #include "base/text.h"
 #include "body/body.h"
 #include "development/embryo.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
 #include "record/run_folder.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <algorithm>
 #include <array>

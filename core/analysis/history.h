@@ -6,8 +6,8 @@
 
 #include "base/text.h"
 #include "base/vec2.h"
-#include "record/csv.h"
 #include "record/run_reader.h"
+#include "tables/csv.h"
 
 #include <cstdint>
 #include <map>

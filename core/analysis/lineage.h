@@ -2,8 +2,8 @@
 // Where a genome came from: the line of its mothers, back to generation 0, as the run's individuals tell it.
 #pragma once
 
-#include "record/columns.h"
 #include "record/run_reader.h"
+#include "tables/columns.h"
 
 #include <cstdint>
 #include <vector>

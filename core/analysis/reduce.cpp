@@ -10,8 +10,8 @@
 #include "experiment/sample.h"
 #include "experiment/world_numbers.h"
 #include "record/chain.h"
-#include "record/ledger.h"
-#include "record/output.h"
+#include "storage/output.h"
+#include "tables/ledger.h"
 
 #include <algorithm>
 #include <set>

@@ -8,7 +8,7 @@
 #include "analysis/analysis.h"
 #include "experiment/spec.h"
 #include "genome/genome.h"
-#include "record/columns.h"
+#include "tables/columns.h"
 
 #include <filesystem>
 #include <span>

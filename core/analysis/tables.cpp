@@ -4,10 +4,10 @@
 #include "analysis/chance.h"
 #include "experiment/sample.h"
 #include "experiment/world_numbers.h"
-#include "record/archive_table.h"
-#include "record/genome_table.h"
 #include "statistics/bootstrap.h"
 #include "statistics/summary.h"
+#include "tables/archive_table.h"
+#include "tables/genome_table.h"
 
 #include <array>
 #include <functional>

@@ -4,9 +4,9 @@
 #include "analysis/relive.h"
 #include "analysis/survey.h"
 #include "base/parallel.h"
-#include "record/csv.h"
 #include "statistics/rank_correlation.h"
 #include "statistics/summary.h"
+#include "tables/csv.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 
 #include "analysis/analysis.h"
 #include "experiment/spec.h"
-#include "record/columns.h"
+#include "tables/columns.h"
 
 #include <filesystem>
 #include <span>

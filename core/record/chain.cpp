@@ -5,8 +5,8 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "experiment/digest.h"
-#include "record/csv.h"
-#include "record/lines.h"
+#include "storage/lines.h"
+#include "tables/csv.h"
 
 #include <memory>
 #include <optional>

@@ -2,10 +2,10 @@
 #include "record/complete_run.h"
 
 #include "base/error.h"
-#include "record/input.h"
 #include "record/kept_state.h"
 #include "record/resume_point.h"
 #include "record/run_folder.h"
+#include "storage/input.h"
 
 #include <optional>
 #include <utility>

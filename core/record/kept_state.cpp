@@ -4,11 +4,11 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "base/text.h"
-#include "record/input.h"
-#include "record/output.h"
-#include "record/packed.h"
-#include "record/sealed.h"
-#include "record/system.h"
+#include "storage/input.h"
+#include "storage/output.h"
+#include "storage/packed.h"
+#include "storage/sealed.h"
+#include "storage/system.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The states of a run that are kept on disk, sealed (record/sealed.h) and packed. Each holds all that the run needs to
+// The states of a run that are kept on disk, sealed (storage/sealed.h) and packed. Each holds all that the run needs to
 // resume with the same results: where it stands, and how long every table was.
 //
 // A run that is under way has `checkpoint`, and the one before it as `checkpoint.previous`. At every moment, whatever
@@ -10,7 +10,7 @@
 // A file that was cut or changed is known by its seal and passed over; one that is whole and makes no sense is refused.
 #pragma once
 
-#include "record/journal.h"
+#include "storage/journal.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -4,13 +4,13 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "record/chain.h"
-#include "record/csv.h"
-#include "record/journal.h"
 #include "record/kept_state.h"
-#include "record/lines.h"
 #include "record/run_folder.h"
 #include "record/run_reader.h"
-#include "record/system.h"
+#include "storage/journal.h"
+#include "storage/lines.h"
+#include "storage/system.h"
+#include "tables/csv.h"
 
 #include <cerrno>
 #include <cstdio>

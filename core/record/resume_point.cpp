@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "experiment/run_state.h"
-#include "record/archive_table.h"
+#include "tables/archive_table.h"
 
 namespace planula {
 

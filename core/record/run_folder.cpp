@@ -4,11 +4,11 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "record/csv.h"
 #include "record/kept_state.h"
-#include "record/output.h"
 #include "record/run_tables.h"
-#include "record/system.h"
+#include "storage/output.h"
+#include "storage/system.h"
+#include "tables/csv.h"
 
 #include <algorithm>
 

@@ -13,8 +13,8 @@
 #pragma once
 
 #include "experiment/identity.h"
-#include "record/manifest.h"
-#include "record/output.h"
+#include "storage/output.h"
+#include "tables/manifest.h"
 
 #include <cstdint>
 #include <filesystem>

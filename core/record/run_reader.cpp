@@ -4,12 +4,12 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "experiment/run_state.h"
-#include "record/archive_table.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
-#include "record/input.h"
 #include "record/kept_state.h"
-#include "record/system.h"
+#include "storage/input.h"
+#include "storage/system.h"
+#include "tables/archive_table.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs as they lie on disk (record/run_folder.h): which there are, how far they are, and whether their files are still
-// what their manifests say. Their tables are read by TableReader (record/csv.h), the archive by read_archive.
+// what their manifests say. Their tables are read by TableReader (tables/csv.h), the archive by read_archive.
 #pragma once
 
 #include "experiment/run.h"

@@ -2,9 +2,9 @@
 #include "record/run_tables.h"
 
 #include "experiment/sample.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
-#include "record/run_rows.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
+#include "tables/run_rows.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables of a run: what each generation adds to them, and the journals (record/journal.h) in which they grow. They
+// The tables of a run: what each generation adds to them, and the journals (storage/journal.h) in which they grow. They
 // stand here once, in the order in which the chain (record/chain.h) and the manifest have them. Every row has the number
 // of its generation in its first column.
 //
@@ -7,8 +7,8 @@
 #pragma once
 
 #include "experiment/run.h"
-#include "record/archive_table.h"
-#include "record/journal.h"
+#include "storage/journal.h"
+#include "tables/archive_table.h"
 
 #include <array>
 #include <cstdint>

@@ -7,8 +7,8 @@
 #include "experiment/run_state.h"
 #include "record/chain.h"
 #include "record/complete_run.h"
-#include "record/csv.h"
 #include "record/resume_point.h"
+#include "tables/csv.h"
 
 #include <algorithm>
 

@@ -95,7 +95,7 @@ catches layering.sh 'draws random numbers' core/physics/step.h '#include "base/r
 
 # Headers with one home.
 for header in fstream iostream cstdio; do
-    catches layering.sh 'outside record and scripting' core/physics/step.h "#include <$header>"
+    catches layering.sh 'outside storage, record and scripting' core/physics/step.h "#include <$header>"
 done
 catches layering.sh 'outside base/parallel' core/record/write.h '#include <thread>'
 catches layering.sh 'outside base/parallel' scripting/main.cpp '  #  include <future>'

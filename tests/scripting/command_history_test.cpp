@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // lineage and genome: who descends from whom, and any individual that ever lived.
-#include "record/csv.h"
-#include "record/genome_table.h"
 #include "support/commands.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <boost/test/unit_test.hpp>
 

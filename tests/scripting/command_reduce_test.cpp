@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // reduce, witness and frames: which runs they take, and where they write.
-#include "record/csv.h"
 #include "record/run_reader.h"
 #include "support/commands.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

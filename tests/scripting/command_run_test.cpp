@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // planula run: which runs are one, which folders it takes, and that whoever stops and continues it changes no byte.
 #include "base/lane_sets.h"
-#include "record/csv.h"
 #include "record/kept_state.h"
 #include "record/run_reader.h"
 #include "support/commands.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/text.h"
-#include "record/csv.h"
 #include "scripting/progress_file.h"
 #include "support/commands.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "record/chain.h"
-#include "record/csv.h"
-#include "record/input.h"
 #include "record/run_reader.h"
+#include "storage/input.h"
 #include "support/commands.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,7 +3,7 @@
 #include "support/commands.h"
 
 #include "experiment/revision.h"
-#include "record/manifest.h"
+#include "tables/manifest.h"
 
 #include <boost/test/unit_test.hpp>
 

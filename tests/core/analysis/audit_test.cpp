@@ -4,13 +4,14 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "core/record/quick_run.h"
 #include "experiment/run_state.h"
 #include "record/chain.h"
-#include "record/csv.h"
-#include "record/input.h"
 #include "record/kept_state.h"
 #include "record/run_tables.h"
+#include "storage/input.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "core/analysis/fake_setting.h"
 
 #include <boost/test/unit_test.hpp>

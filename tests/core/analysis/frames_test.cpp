@@ -3,8 +3,8 @@
 #include "base/error.h"
 #include "core/record/fake_run.h"
 #include "evaluation/live.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <boost/test/unit_test.hpp>
 #include <map>

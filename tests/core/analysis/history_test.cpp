@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
-#include "record/input.h"
+#include "storage/input.h"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>

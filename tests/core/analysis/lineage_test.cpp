@@ -2,8 +2,9 @@
 #include "analysis/lineage.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "core/record/fake_run.h"
-#include "record/csv.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,11 +2,12 @@
 #include "analysis/replay.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "core/record/quick_run.h"
 #include "experiment/digest.h"
 #include "record/chain.h"
-#include "record/csv.h"
 #include "record/kept_state.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -2,7 +2,7 @@
 #include "analysis/tables.h"
 
 #include "core/analysis/fake_setting.h"
-#include "record/genome_table.h"
+#include "tables/genome_table.h"
 
 #include <boost/test/unit_test.hpp>
 #include <set>

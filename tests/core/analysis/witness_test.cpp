@@ -5,10 +5,10 @@
 #include "core/record/fake_run.h"
 #include "evaluation/live.h"
 #include "experiment/run.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
 #include "support/print.h"
 #include "support/specimens.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <boost/test/unit_test.hpp>
 

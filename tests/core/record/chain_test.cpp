@@ -3,9 +3,10 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/text.h"
 #include "core/record/fake_run.h"
-#include "record/csv.h"
-#include "record/input.h"
+#include "storage/input.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

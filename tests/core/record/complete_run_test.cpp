@@ -5,8 +5,8 @@
 #include "core/record/fake_run.h"
 #include "core/record/quick_run.h"
 #include "record/chain.h"
-#include "record/input.h"
 #include "record/run_reader.h"
+#include "storage/input.h"
 
 #include <boost/test/unit_test.hpp>
 

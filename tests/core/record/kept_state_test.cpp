@@ -8,8 +8,8 @@
 #include "evolution/population_state.h"
 #include "evolution/reproduce.h"
 #include "evolution/species.h"
-#include "record/packed.h"
-#include "record/sealed.h"
+#include "storage/packed.h"
+#include "storage/sealed.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,9 +3,10 @@
 #include "record/run_writer.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "core/record/quick_run.h"
-#include "record/input.h"
 #include "record/run_reader.h"
+#include "storage/input.h"
 
 #include <boost/test/unit_test.hpp>
 

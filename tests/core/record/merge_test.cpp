@@ -2,11 +2,12 @@
 #include "record/merge.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "core/record/quick_run.h"
 #include "record/chain.h"
-#include "record/csv.h"
-#include "record/input.h"
 #include "record/kept_state.h"
+#include "storage/input.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -4,10 +4,11 @@
 
 #include "base/error.h"
 #include "base/state.h"
+#include "base/text.h"
 #include "core/record/quick_run.h"
-#include "record/csv.h"
-#include "record/packed.h"
-#include "record/sealed.h"
+#include "storage/packed.h"
+#include "storage/sealed.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

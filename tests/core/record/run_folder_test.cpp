@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "core/record/quick_run.h"
-#include "record/csv.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,9 +3,9 @@
 
 #include "base/error.h"
 #include "core/record/quick_run.h"
-#include "record/csv.h"
-#include "record/input.h"
 #include "record/kept_state.h"
+#include "storage/input.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -3,8 +3,8 @@
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
-#include "record/csv.h"
-#include "record/input.h"
+#include "storage/input.h"
+#include "tables/csv.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -5,10 +5,10 @@
 #include "core/record/fake_run.h"
 #include "experiment/sample.h"
 #include "record/chain.h"
-#include "record/csv.h"
-#include "record/genome_table.h"
-#include "record/input.h"
 #include "record/run_reader.h"
+#include "storage/input.h"
+#include "tables/csv.h"
+#include "tables/genome_table.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The archive of a search as archive.csv.gz, the one table whose columns depend on the experiment: a
+// descriptor of two numbers stands under x and y, any other under behaviour_1, behaviour_2, …
+#pragma once
+
+#include "evolution/search.h"
+#include "tables/columns.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace planula {
+
+/// The header for descriptors of this length, as a line.
+std::string archive_header(std::size_t length = 2);
+/// The line of an entry.
+std::string archive_line(const ArchiveEntry &entry);
+
+/// The first entries of a folder's archive, at most so many.
+std::vector<ArchiveEntry> read_archive(const std::filesystem::path &folder, std::size_t most = SIZE_MAX);
+/// The same, of its journal.
+std::vector<ArchiveEntry> read_archive_journal(const std::filesystem::path &folder, std::size_t most);
+
+} // namespace planula
