@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From the directories of runs to what the paper shows: tidy tables, the claims with their verdicts, and
-// frames of re-lived individuals (decision 0015). An experiment states which claims and samples it wants;
+// frames of individuals simulated again (decision 0015). An experiment states which claims and samples it wants;
 // the arithmetic is here and in core/statistics. Where data are missing the tables say so: a setting without
 // runs has no rows, and a claim whose data are not all there is open.
 //
@@ -28,7 +28,7 @@ struct Claim {
     std::string expect;      // of the rank-sum tests: greater, less or no_difference
     double level = 0;        // of mean_ahead and cyclic
     int count = 0;           // of top_runs, cyclic and elongated
-    double bound = 0;        // of no_difference and cyclic: what is still as good as none
+    double bound = 0;        // of no_difference and cyclic: the largest value that still counts as none
     bool calibrated = false; // what it says was used to choose the model, so that its verdict is no evidence
 };
 
@@ -96,9 +96,9 @@ struct RunChoice {
 void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunChoice &runs,
             const std::filesystem::path &out);
 
-/// Lives the best individual of each setting again, from best_genomes.csv in `data`, and writes the frame
-/// tables into `out`. Throws InputError if a life is not the recorded one: the data are not of this
-/// experiment or version.
+/// Simulates the best individual of each setting again, from best_genomes.csv in `data`, and writes the frame
+/// tables into `out`. Throws InputError if a life differs from the record: the data are not of this experiment
+/// or version.
 void write_frames(std::span<const Spec> settings, const std::filesystem::path &data,
                   const std::filesystem::path &out);
 

@@ -71,9 +71,10 @@ class Comparison {
 
     void compare(const Generation &generation) {
         const double fitness = generation.evaluations[generation.best].fitness;
-        const bool crowned = !best_ || fitness > *best_;
-        if (crowned) best_ = fitness;
-        const RowTexts rows = row_texts(generation, setting_, static_cast<std::uint64_t>(run_.seed), crowned);
+        const bool has_new_champion = !best_ || fitness > *best_;
+        if (has_new_champion) best_ = fitness;
+        const RowTexts rows =
+            row_texts(generation, setting_, static_cast<std::uint64_t>(run_.seed), has_new_champion);
         const ChainRow row = chain_row(link_before(run_, chain_, generation.number), generation, rows);
         const ChainRow &recorded = chain_.at(static_cast<std::size_t>(generation.number));
         if (row.content == recorded.content && row.link == recorded.link) return;
@@ -144,10 +145,10 @@ void recompute(const RecordedRun &run, const Spec &setting, const Stretch &stret
                const StopRequest &stop) {
     Comparison comparison(run, setting, stretch.first);
     const auto observe = [&](const Generation &generation) { comparison.compare(generation); };
-    const auto between = [&](const RunState &state) {
+    const auto observe_state = [&](const RunState &state) {
         if (state.population.generation == stretch.last + 1) comparison.compare(state);
     };
-    replay(run, setting, stretch.first, stretch.last, workers, observe, stop, between);
+    replay(run, setting, stretch.first, stretch.last, workers, observe, stop, observe_state);
 }
 
 std::vector<int> drawn_order(int count, std::uint64_t draw) {

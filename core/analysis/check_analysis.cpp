@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> expectations{"greater", "less", "no_difference"};
 
-std::string none_called(const std::string &name, const std::string &nearest) {
+std::string unknown_name(const std::string &name, const std::string &nearest) {
     return "'" + name + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
@@ -23,7 +23,7 @@ void require_setting(const std::string &name, const std::string &where, std::spa
     std::vector<std::string> names;
     for (const Spec &spec : settings) names.push_back(spec.name);
     if (std::find(names.begin(), names.end(), name) == names.end())
-        throw InputError(where + ": there is no setting " + none_called(name, nearest_name(name, names)));
+        throw InputError(where + ": there is no setting " + unknown_name(name, nearest_name(name, names)));
 }
 
 /// A claim that nothing differs states what is still as good as no difference; no other claim has a use for that.
@@ -45,7 +45,7 @@ void check_claim(const Claim &claim, std::span<const Spec> settings) {
     const ClaimTest *test = find_test(claim.test);
     if (test == nullptr)
         throw InputError(where + ": there is no test " +
-                         none_called(claim.test, nearest_name(claim.test, claim_tests())));
+                         unknown_name(claim.test, nearest_name(claim.test, claim_tests())));
     require_setting(claim.a, where, settings);
     if (test->compares_two()) require_setting(claim.b, where, settings);
     if (claim.generation < 0)
@@ -53,7 +53,7 @@ void check_claim(const Claim &claim, std::span<const Spec> settings) {
     if (test->needs == ClaimTest::ranks &&
         std::find(expectations.begin(), expectations.end(), claim.expect) == expectations.end())
         throw InputError(where + ": expect must be greater, less or no_difference, and is " +
-                         none_called(claim.expect, nearest_name(claim.expect, expectations)));
+                         unknown_name(claim.expect, nearest_name(claim.expect, expectations)));
     check_bound(claim, *test, where);
     if (test->needs == ClaimTest::count_of_two && claim.count < 1)
         throw InputError(where + ": count = " + to_text(claim.count) + " must be at least 1");

@@ -159,13 +159,13 @@ Finding mean_ahead(const Case &c) {
 // ---- Counts ----
 
 /// A run among those of both settings: its champion, and whether it is of the kind that a claim is about.
-struct Contender {
+struct RankedRun {
     double fitness, elongation;
     bool of_a, counts;
 };
 
-std::vector<Contender> contenders(const Case &c) {
-    std::vector<Contender> all;
+std::vector<RankedRun> ranked_runs(const Case &c) {
+    std::vector<RankedRun> all;
     for (const SettingRuns *setting : {c.a, c.b})
         for (const RunHistory &history : setting->histories) {
             const ChampionRow &champion = history.after.at(c.generations).champion;
@@ -175,20 +175,20 @@ std::vector<Contender> contenders(const Case &c) {
 }
 
 /// How many of the best `count` are of the kind, if of equal fitness those that are not come first, or those that are.
-int count_best(std::vector<Contender> all, int count, bool kind_first) {
-    std::sort(all.begin(), all.end(), [&](const Contender &x, const Contender &y) {
+int count_best(std::vector<RankedRun> all, int count, bool kind_first) {
+    std::sort(all.begin(), all.end(), [&](const RankedRun &x, const RankedRun &y) {
         if (x.fitness != y.fitness) return x.fitness > y.fitness;
         return kind_first ? x.counts > y.counts : x.counts < y.counts;
     });
     return static_cast<int>(
-        std::count_if(all.begin(), all.begin() + count, [](const Contender &x) { return x.counts; }));
+        std::count_if(all.begin(), all.begin() + count, [](const RankedRun &x) { return x.counts; }));
 }
 
 /// Judges the best runs. Equal fitness speaks against either verdict.
-Finding judge_best(const Case &c, const std::vector<Contender> &all, const std::string &effect_name) {
+Finding judge_best(const Case &c, const std::vector<RankedRun> &all, const std::string &effect_name) {
     const int total = static_cast<int>(all.size()), count = std::min(c.claim.count, total);
     const int kind =
-        static_cast<int>(std::count_if(all.begin(), all.end(), [](const Contender &x) { return x.counts; }));
+        static_cast<int>(std::count_if(all.begin(), all.end(), [](const RankedRun &x) { return x.counts; }));
     const int least = count_best(all, count, false), most = count_best(all, count, true);
     const auto so_many = [&](int found) { return hypergeometric_tail(found, total, kind, count); };
     const auto so_few = [&](int found) {
@@ -205,20 +205,20 @@ Finding judge_best(const Case &c, const std::vector<Contender> &all, const std::
 }
 
 Finding top_runs(const Case &c) {
-    return judge_best(c, contenders(c), "a's runs among the best " + to_text(c.claim.count));
+    return judge_best(c, ranked_runs(c), "a's runs among the best " + to_text(c.claim.count));
 }
 
 Finding elongated(const Case &c) {
-    std::vector<Contender> all = contenders(c);
+    std::vector<RankedRun> all = ranked_runs(c);
     std::vector<double> elongations;
-    for (const Contender &contender : all) elongations.push_back(contender.elongation);
+    for (const RankedRun &contender : all) elongations.push_back(contender.elongation);
     const double usual = median(elongations);
-    for (Contender &contender : all) contender.counts = contender.of_a && contender.elongation > usual;
+    for (RankedRun &contender : all) contender.counts = contender.of_a && contender.elongation > usual;
     return judge_best(c, all, "a's and elongated among the best " + to_text(c.claim.count));
 }
 
 Finding cyclic(const Case &c) {
-    // Who falls over once makes no way late, who contracts once and glides no movement of its own.
+    // A body that falls over once makes no distance late; one that contracts once and glides has no late actuation.
     int found = 0;
     for (const RunHistory &history : c.a->histories) {
         const ChampionRow &champion = history.after.at(c.generations).champion;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis.h"
-#include "analysis/relive.h"
+#include "analysis/simulate_again.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "body/body.h"
@@ -22,13 +22,14 @@ constexpr int frames_per_stage = 6;
 using Steps = std::array<int, frames_per_stage>;
 
 /// A setting's individual in best_genomes.csv, if there is one.
-std::optional<Recorded> read_recorded(const std::filesystem::path &data, const Spec &spec) {
-    std::optional<Recorded> found;
+std::optional<RecordedIndividual> read_recorded(const std::filesystem::path &data, const Spec &spec) {
+    std::optional<RecordedIndividual> found;
     std::vector<GenomeRow> genes;
     for (const BestGenomeRow &row : read_table<BestGenomeRow>(data)) {
         if (row.setting != spec.name) continue;
         if (!found)
-            found = Recorded{data / BestGenomeRow::file_name, {}, row.fitness, row.displacement, row.cells};
+            found = RecordedIndividual{
+                data / BestGenomeRow::file_name, {}, row.fitness, row.displacement, row.cells};
         genes.push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
     }
     if (!found) return found;
@@ -103,10 +104,10 @@ class FrameTables {
     TableWriter<MorphologyRow> morphologies_;
 };
 
-/// Watches a life and draws it at the chosen steps.
-class Camera {
+/// Watches a simulation and draws it at the chosen steps.
+class FrameWatcher {
   public:
-    Camera(const Spec &spec, FrameTables &tables)
+    FrameWatcher(const Spec &spec, FrameTables &tables)
         : spec_(spec), tables_(tables), growth_(growth_steps(spec.parameters)),
           gait_(gait_steps(spec.parameters)) {
         // The first picture is the zygote, before its first decision (decision 0003).
@@ -146,9 +147,9 @@ class Camera {
     Body body_;
 };
 
-void film(const Spec &spec, const Recorded &recorded, FrameTables &tables) {
-    Camera camera(spec, tables);
-    const Life life = relive(recorded, spec, camera.watch());
+void write_setting(const Spec &spec, const RecordedIndividual &recorded, FrameTables &tables) {
+    FrameWatcher frames(spec, tables);
+    const Life life = simulate_again(recorded, spec, frames.watch());
     if (const double fitness = spec.judge(life).fitness; fitness != recorded.fitness)
         throw InputError(recorded.file.string() + ": the best individual of '" + spec.name +
                          "' has fitness " + to_text(recorded.fitness) + " there, and is judged to have " +
@@ -169,7 +170,7 @@ void write_frames(std::span<const Spec> settings, const std::filesystem::path &d
     const FolderLock held = hold_for_tables(out);
     FrameTables tables(out);
     for (const Spec &spec : settings)
-        if (const auto recorded = read_recorded(data, spec)) film(spec, *recorded, tables);
+        if (const auto recorded = read_recorded(data, spec)) write_setting(spec, *recorded, tables);
     tables.commit();
 }
 

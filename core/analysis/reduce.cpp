@@ -20,8 +20,7 @@ namespace planula {
 
 namespace {
 
-/// A run is read through a buffer of some 50 MB, so that more threads than this would not be worth their
-/// room.
+/// A run is read through a buffer of some 50 MB, which bounds the number of threads.
 int reading_threads() { return std::min(hardware_threads(), 8); }
 
 /// The numbers of generations after which a setting's facts are wanted: where its claims look, and the end.
@@ -80,7 +79,7 @@ void write_each(const std::filesystem::path &out, std::span<const SettingRuns *c
     writer.commit();
 }
 
-/// All rows of one kind for both runs that stand for a setting.
+/// All rows of one kind for both runs that represent a setting.
 template <class Row, class Make>
 std::vector<Row> for_representatives(const SettingRuns &setting, Make &&make) {
     std::vector<Row> rows;
@@ -203,7 +202,7 @@ void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunC
             explored.push_back(&setting);
     }
 
-    // A manifest stands for tables that are all of one making.
+    // A manifest is there only if all tables were made together.
     remove_file(out / ManifestRow::file_name);
     write_settings(analysis, present, out);
     write_exploration(analysis, explored, out);

@@ -35,7 +35,7 @@ void check_place(const RecordedRun &run, int generation, int slot) {
 } // namespace
 
 void replay(const RecordedRun &run, const Spec &setting, int first, int last, const Workers &workers,
-            const Observer &observe, const StopRequest &stop, const Between &between) {
+            const Observer &observe, const StopRequest &stop, const StateObserver &observe_state) {
     CHECK(first >= 0 && first <= last && last < run.generations, first, last, run.generations);
     Spec spec = setting;
     spec.parameters.design.generations = last + 2;
@@ -47,8 +47,8 @@ void replay(const RecordedRun &run, const Spec &setting, int first, int last, co
     // The run is stopped once the state after the last generation is there.
     const auto is_past = [&] { return state.population.generation > last; };
     try {
-        planula::run(spec, static_cast<std::uint64_t>(run.seed), workers, state, observe_wanted, between,
-                     [&] { return is_past() || stop(); });
+        planula::run(spec, static_cast<std::uint64_t>(run.seed), workers, state, observe_wanted,
+                     observe_state, [&] { return is_past() || stop(); });
     } catch (const Stopped &) {
         if (!is_past()) throw;
     }

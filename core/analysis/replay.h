@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A recorded run simulated again from the nearest kept state, so that every individual that was ever evaluated can be
-// had again, and what is recorded can be compared with what the model gives.
+// A recorded run simulated again from the nearest kept state: this gives back every individual that was evaluated, and
+// the record can be compared with the results of the model.
 #pragma once
 
 #include "experiment/run.h"
@@ -11,11 +11,12 @@
 namespace planula {
 
 /// Simulates the run from the newest kept state that is not after generation `first`, or from its beginning, and calls
-/// observe(generation) for generations first … last, which the run must have, and between(state) for the state after
-/// each. The setting's functions must be fresh. Throws InputError for a damaged state, and Stopped.
+/// observe(generation) for generations first … last, which the run must have, and observe_state(state) for the state
+/// after each. The setting's functions must be fresh. Throws InputError for a damaged state, and Stopped.
 void replay(
     const RecordedRun &run, const Spec &setting, int first, int last, const Workers &workers,
-    const Observer &observe, const StopRequest &stop, const Between &between = [](const RunState &) {});
+    const Observer &observe, const StopRequest &stop,
+    const StateObserver &observe_state = [](const RunState &) {});
 
 /// One individual of a run.
 struct Individual {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How much hangs on a number: individuals that evolved with the standard value of a parameter live again with
-// another. What their displacement and viability become tells whether a value that nobody published decides
-// the results (every value of origin `ours`). Evolution is not repeated, so this is what the value does
-// to bodies and gaits that suit the standard one, not to what would have evolved with the other.
+// How sensitive results are to a number: individuals that evolved with the standard value of a parameter are simulated
+// again with another. Their displacement and viability show whether a value that is not published (origin `ours`)
+// decides the results. Evolution is not repeated, so this is the effect on bodies and gaits that suit the standard value,
+// not on those that would have evolved with the other.
 #pragma once
 
 #include "analysis/analysis.h"
@@ -32,7 +32,7 @@ std::vector<Sample> draw_samples(std::span<const Spec> settings, const RunChoice
                                  int threads);
 
 /// Whether a life in this setting can depend on the parameter: it is one of development, network, body, gait, or of the
-/// setting's own world. A number that the experiment states itself stands for the parameter that the paper takes it
+/// setting's own world. A number that the experiment states itself counts as the parameter that the paper takes it
 /// from.
 bool concerns(const ParameterRow &parameter, const Spec &spec);
 

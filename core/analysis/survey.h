@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runs that there are of each setting of an experiment, and which of them stand for it.
+// The runs that there are of each setting of an experiment, and which of them represent it.
 #pragma once
 
 #include "analysis/analysis.h"

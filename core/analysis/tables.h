@@ -24,7 +24,7 @@ std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting);
 /// The best run's best genome. Throws InputError if its file is damaged.
 std::vector<BestGenomeRow> best_genome_rows(const SettingRuns &setting);
 
-/// A run that stands for its setting: best or median.
+/// A run that represents its setting: best or median.
 struct Representative {
     const char *role;
     std::size_t run;

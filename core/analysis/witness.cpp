@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/witness.h"
 
-#include "analysis/relive.h"
+#include "analysis/simulate_again.h"
 #include "analysis/survey.h"
 #include "base/parallel.h"
 #include "statistics/rank_correlation.h"
@@ -20,7 +20,7 @@ constexpr std::size_t fewest_correlated = 3;
 
 Maybe height(const Life &life) { return life.outcome == Outcome::viable ? Maybe(life.rest.y) : std::nullopt; }
 
-/// The champion's lives; `own`, under the setting as it is, is lived already.
+/// The champion's lives; `own`, under the setting as it is, is simulated already.
 WitnessedLives lives_of(const Genome &genome, const Spec &spec, const Life &own) {
     Conditions native = spec, bullet = spec;
     native.engine = "native", bullet.engine = "bullet";
@@ -68,9 +68,10 @@ std::optional<WitnessRow> examine(const Spec &spec, const RecordedRun &run) {
     check_files(run);
     const int generations = spec.parameters.design.generations;
     const ChampionRow champion = champion_after(read_champions(run), generations);
-    const Recorded recorded{run.folder / ChampionRow::file_name, read_champion_genome(run, generations),
-                            champion.fitness, champion.displacement, champion.cells};
-    const Life own = relive(recorded, spec);
+    const RecordedIndividual recorded{run.folder / ChampionRow::file_name,
+                                      read_champion_genome(run, generations), champion.fitness,
+                                      champion.displacement, champion.cells};
+    const Life own = simulate_again(recorded, spec);
     if (own.outcome != Outcome::viable) return std::nullopt;
 
     return witness_row(spec, champion, run.seed, lives_of(recorded.genome, spec, own));

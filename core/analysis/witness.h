@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// An independent witness: every champion, the best individual of its run, is lived again in the native
-// engine, there at half and at an eighth of the time step, and in Bullet (decision 0017). A champion that
-// half the step undoes is flagged as an integration exploit. In one more life the muscles then hold still for
-// as long again: what moves within the body at the end of that is fed by the model and not by muscles, and the
-// champion is flagged as perpetual motion. Where a life differs, the cause is named. At an
-// eighth of the step the cells are also nudged off their places by next to nothing: a gait that this changes
-// as much is chaotic, and nothing tells where it leads. Else the step is the cause, if a finer one leads
-// elsewhere; else the engine, as Bullet's contact with the ground and its friction are its own.
+// An independent witness: every champion, the best individual of its run, is simulated again in the native
+// engine, there also at half and at an eighth of the time step, and in Bullet (decision 0017). A champion whose
+// distance changes too much at half the step is flagged as an integration exploit. In one more simulation the
+// muscles then hold still for as long again: a body that still moves within itself gets its energy from the
+// model and not from muscles, and the champion is flagged as perpetual motion. Where a life differs, the cause
+// is named. At an eighth of the step the cells are also displaced by a tiny distance: a gait that this changes
+// as much is chaotic, and its path cannot be predicted. Else the step is the cause, if a finer one gives another
+// life; else the engine, as Bullet's contact with the ground and its friction are its own.
 //
 // Change of a displacement d to d': |d' - d| / max(d, one cell diameter). A champion that hardly moved is so
-// judged by the cell diameters between the two lives, not by a quotient of two small numbers. A life that is
-// not viable has displacement 0: its change is that of all the way lost.
+// judged by the cell diameters between the two displacements, not by a quotient of two small numbers. A life
+// that is not viable has displacement 0, so that its change is that of the whole distance lost.
 #pragma once
 
 #include "analysis/analysis.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that a life depends on besides its genome.
+// Everything that a life depends on beside its genome.
 #pragma once
 
 #include "cell/channels.h"
@@ -11,8 +11,8 @@
 
 namespace planula {
 
-/// A disturbance of a body before it lives: each node is set down up to `reach` cells off its place along x
-/// and along y, by a hash of its number and `number`. Shows how much of a life hangs on next to nothing.
+/// A disturbance of a body before locomotion: each node is displaced by up to `reach` cells along x and along y, by a
+/// hash of its number and `number`. Shows how sensitive a life is to small differences.
 struct Nudge {
     double reach = 0;
     int number = 0;

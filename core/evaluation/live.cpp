@@ -78,7 +78,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     Trial trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
                            watch.move);
 
-    // A life that ended early has no place and no distance.
+    // Of locomotion that ended early neither place nor distance is known.
     life.outcome = trial.outcome;
     life.settle_steps = trial.settle_steps;
     if (trial.outcome != Outcome::viable) return life;

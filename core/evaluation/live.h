@@ -14,7 +14,7 @@
 
 namespace planula {
 
-/// What a life can be watched by: a picture of each moment. Every member may be empty.
+/// Functions that are called while an individual is simulated. Every member may be empty.
 struct Watch {
     /// Development: step, cell centres (development frame), links as pairs of indices. Called after the
     /// neighbourhood is computed and before the step's physics, and once at the end.
@@ -27,16 +27,16 @@ struct Watch {
 };
 
 /// A life under the same conditions whose body, driven by oscillators, began to move from these cell centres (of
-/// development) with these oscillators; null if none is known. Its movement stands for this one.
+/// development) with these oscillators; null if none is known. Its locomotion is the same.
 using Recall =
     std::function<const Life *(std::span<const Vec2d> positions, std::span<const Oscillator> oscillators)>;
 
-/// A movement that `recall` knows is not watched.
+/// Locomotion that `recall` knows is not simulated, so that `watch` is not called for it.
 Life live(const Genome &genome, const Conditions &conditions, const Watch &watch = {},
           const Recall &recall = {});
 
-/// A life that ends with development: what growth alone decides, as live() would say it. It has no place and
-/// no distance, and is viable if a body was born.
+/// Development alone: the fields of a life that are known after growth, as live() gives them. The outcome is viable if
+/// there is a body.
 Life develop(const Genome &genome, const Conditions &conditions);
 
 } // namespace planula

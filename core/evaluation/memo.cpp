@@ -13,7 +13,7 @@ template <class Number> void append(Number value, std::string &key) {
     key.append(reinterpret_cast<const char *>(&value), sizeof value);
 }
 
-/// All of a genome that a network is expressed from: the order of nodes and of links counts, their history does not.
+/// All of a genome that a network is expressed from: nodes and links in their order, without their history.
 std::string key_of(const Genome &genome) {
     std::string key;
     append(genome.inputs, key);

@@ -9,12 +9,12 @@
 
 namespace planula {
 
-std::vector<Life> live_all(const Population &population, const Living &living, const Workers &workers,
+std::vector<Life> live_all(const Population &population, const LifeOf &life_of, const Workers &workers,
                            const StopRequest &stop) {
     std::vector<Life> lives(population.genomes.size());
     workers.each(static_cast<int>(lives.size()), [&](int slot) {
         if (stop()) throw Stopped("stopped in generation " + to_text(population.generation));
-        lives[slot] = living(slot, population.genomes[slot]);
+        lives[slot] = life_of(slot, population.genomes[slot]);
     });
     return lives;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a generation lives and is judged: in parallel and in slot order.
+// The individuals of a generation: simulated in parallel, judged in slot order.
 #pragma once
 
 #include "base/parallel.h"
@@ -12,16 +12,16 @@
 
 namespace planula {
 
-/// Asked before each generation and between evaluations, by any thread; true ends the run with Stopped.
+/// Asked before each generation and each simulation, by any thread; true ends the run with Stopped.
 using StopRequest = std::function<bool()>;
-/// What the genome in a slot does; pure.
-using Living = std::function<Life(int slot, const Genome &)>;
+/// The life of the genome in a slot; pure.
+using LifeOf = std::function<Life(int slot, const Genome &)>;
 
-/// Every individual's life, by any of the workers: lives share nothing.
-std::vector<Life> live_all(const Population &population, const Living &living, const Workers &workers,
+/// The life of every individual, simulated by any of the workers: simulations share nothing.
+std::vector<Life> live_all(const Population &population, const LifeOf &life_of, const Workers &workers,
                            const StopRequest &stop);
 
-/// Every life's evaluation, in slot order on this thread.
+/// The evaluation of every life, in slot order on this thread.
 std::vector<Evaluation> judge_all(const Judge &judge, std::span<const Life> lives);
 
 } // namespace planula

@@ -22,15 +22,15 @@ RunState begin(const Spec &spec, std::uint64_t seed, const Workers &workers, con
 }
 
 void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState &state,
-         const Observer &observe, const Between &between, const StopRequest &stop) {
+         const Observer &observe, const StateObserver &observe_state, const StopRequest &stop) {
     const Parameters &p = spec.parameters;
     const NetworkShape shape = shape_of(spec.actuation);
     Memo memo(spec);
-    const Living living = [&](int slot, const Genome &genome) { return memo.live(slot, genome); };
+    const LifeOf life_of = [&](int slot, const Genome &genome) { return memo.live(slot, genome); };
     Population &population = state.population;
     for (;;) {
         memo.begin_generation(static_cast<int>(population.genomes.size()));
-        const std::vector<Life> lives = live_all(population, living, workers, stop);
+        const std::vector<Life> lives = live_all(population, life_of, workers, stop);
         const std::vector<Evaluation> evaluations = judge_all(spec.judge, lives);
         const std::vector<double> scores = state.search->score(population, evaluations);
         observe({population.generation, population, lives, evaluations, scores, *state.search, state.mothers,
@@ -39,7 +39,7 @@ void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState 
         state.mothers.add(population, lives, evaluations);
         population = state.search->next(population, scores, shape, seed);
         state.mothers.keep(population, state.search->kept_genomes());
-        between(state);
+        observe_state(state);
     }
 }
 

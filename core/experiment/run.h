@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where life and search meet: one evolutionary run, generation by generation. The run writes no file and
-// prints nothing; it hands every finished generation to an observer. Between two generations it is its RunState
-// and nothing else, so that a run may end there and go on from the state in another process.
+// One evolutionary run, generation by generation: individuals are simulated and judged, and the search makes the next
+// population. The run writes no file and prints nothing; it hands every finished generation to an observer. Between two
+// generations a run is its RunState and nothing else, so that it may stop there and resume in another process.
 #pragma once
 
 #include "evaluation/memo.h"
@@ -28,12 +28,12 @@ struct Generation {
     const Mothers &mothers;
     /// Slot of the highest fitness; the lowest slot of equals.
     int best;
-    /// How many of the lives were known from the generation before, in this process; no result.
+    /// How many of the lives were known from the generation before and not simulated; no result.
     Known known;
 };
 
-/// Where a run stands between two generations: the population to live next, the search as the generations before left
-/// it, and what the mothers of this population, and whoever may be one later, did.
+/// A run between two generations: the population to simulate next, the search after the generations before, and what the
+/// mothers of this population, and all that may become one, did.
 struct RunState {
     Population population;
     std::unique_ptr<Search> search;
@@ -42,7 +42,7 @@ struct RunState {
 
 using Observer = std::function<void(const Generation &)>;
 /// Shown the state after each generation but the last.
-using Between = std::function<void(const RunState &)>;
+using StateObserver = std::function<void(const RunState &)>;
 
 /// The state before generation 0. Where the setting evolves that one first, this takes time and may end with
 /// Stopped.
@@ -50,12 +50,12 @@ RunState begin(
     const Spec &spec, std::uint64_t seed, const Workers &workers = 1,
     const StopRequest &stop = [] { return false; });
 
-/// Runs the setting's generations from this state on. The results depend on (spec, seed) alone, not on
-/// who works, nor on how the state came here. If it ends with Stopped, the state is that before the generation
-/// that was abandoned.
+/// Runs the setting's generations from this state on. The results depend on (spec, seed) alone, not on the workers, nor
+/// on where the run was resumed. If it throws Stopped, the state is the one before the generation that was abandoned.
 void run(
     const Spec &spec, std::uint64_t seed, const Workers &workers, RunState &state, const Observer &observe,
-    const Between &between = [](const RunState &) {}, const StopRequest &stop = [] { return false; });
+    const StateObserver &observe_state = [](const RunState &) {},
+    const StopRequest &stop = [] { return false; });
 
 /// Runs all generations.
 void run(

@@ -25,9 +25,9 @@ Population diverse_bodies(const Spec &spec, std::uint64_t seed, const Workers &w
     const NetworkShape shape = shape_of(spec.actuation);
     NoveltySearch search(spec.parameters);
     Population population = initial_population(shape, spec.parameters.neat, seed);
-    const Living growing = [&](int, const Genome &genome) { return develop(genome, spec); };
+    const LifeOf grown = [&](int, const Genome &genome) { return develop(genome, spec); };
     while (population.generation < spec.start->generations) {
-        const std::vector<Life> lives = live_all(population, growing, workers, stop);
+        const std::vector<Life> lives = live_all(population, grown, workers, stop);
         const auto scores = search.score(population, judge_all(spec.start->judge, lives));
         population = search.next(population, scores, shape, seed);
     }

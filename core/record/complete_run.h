@@ -27,7 +27,7 @@ void complete_run(const CompleteRun &run, RunTables &tables);
 /// becoming longer. `complete`: its generations, at least 1.
 void remove_leftovers(const std::filesystem::path &folder, int complete);
 
-/// The same for whoever does not hold the folder. Does nothing if the run is not complete or is in use.
+/// The same, of a folder that this process does not hold. Does nothing if the run is not complete or is in use.
 void tidy_complete_run(const std::filesystem::path &folder);
 
 } // namespace planula

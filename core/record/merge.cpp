@@ -86,7 +86,7 @@ void check_agreement(const fs::path &from, const Part &a, const fs::path &into, 
     const std::size_t shared = std::min(a.links.size(), b.links.size());
     for (std::size_t i = 0; i < shared; ++i)
         if (a.links[i] != b.links[i])
-            refuse("their chains part at generation " + to_text(static_cast<std::int64_t>(i)));
+            refuse("their chains differ from generation " + to_text(static_cast<std::int64_t>(i)));
 }
 
 /// Every file of a folder, each on disk.
@@ -135,7 +135,7 @@ Merged merge_run(const fs::path &from, const fs::path &into) {
     if (present) {
         check_agreement(from, *part, into, *present);
         if (part->links.size() <= present->links.size()) return Merged::known;
-        // Results that are complete give way to complete ones alone.
+        // Complete results are replaced by complete ones alone.
         if (part->complete < present->complete) return Merged::unfinished;
     }
     const fs::path came = beside(into, incoming);

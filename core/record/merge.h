@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Gathering the parts of a campaign. A run that is nowhere yet is copied; of two lengths of one run the longer stays, if
-// the chain of the shorter is its beginning; anything else is a contradiction and refused by name. A run appears in its
-// place whole or not at all: whoever is killed on the way leaves what was there before, and the same call continues.
+// the chain of the shorter is its beginning; anything else is refused by name. A run appears in its place
+// whole or not at all: a process that is killed leaves what was there before, and the same call continues.
 #pragma once
 
 #include <filesystem>

@@ -154,7 +154,7 @@ std::optional<Manifest> recorded_manifest(const std::filesystem::path &folder) {
         manifest.check_seal();
         return manifest;
     } catch (const InputError &) {
-        // A process that makes the run longer may have taken it away just now.
+        // A process that makes the run longer may have removed it meanwhile.
         if (std::filesystem::exists(path)) throw;
         return std::nullopt;
     }
@@ -174,7 +174,7 @@ int recorded_generations(const std::filesystem::path &folder) {
             if (const std::optional<KeptState> kept = read_state(path))
                 generations = std::max(generations, kept->generation);
         } catch (const InputError &) {
-            // Another process replaces it just now; or it makes no sense, of which whoever resumes the run tells.
+            // Another process is replacing it; or it is invalid, which resuming the run reports.
         }
     }
     return generations;

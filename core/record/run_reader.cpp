@@ -46,7 +46,7 @@ bool is_run_name(const std::filesystem::path &folder) {
     return name.starts_with(start) && parse_int(name.substr(start.size())).value_or(-1) >= 0;
 }
 
-/// Every folder below <runs>/<setting> that is called like a run, by name; none if there is no such folder.
+/// Every folder below <runs>/<setting> that is named like a run, by name; empty without such a folder.
 std::vector<std::filesystem::path> run_folders(const std::filesystem::path &setting) {
     std::vector<std::filesystem::path> folders;
     if (!std::filesystem::exists(setting)) return folders;
@@ -55,8 +55,8 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path &sett
     return folders;
 }
 
-/// Adds the run in a folder to those found, or why it is none of them.
-void sort_in(const std::filesystem::path &runs, const std::filesystem::path &folder, const Spec &setting,
+/// Adds the run in a folder to those found, or the reason why it is left out.
+void add_run(const std::filesystem::path &runs, const std::filesystem::path &folder, const Spec &setting,
              int generations, FoundRuns &found) {
     const auto leave_out = [&](const std::string &why) {
         found.left_out.push_back(folder.string() + ": " + why);
@@ -122,7 +122,7 @@ RunStatus status_now(const std::filesystem::path &folder) {
     return status;
 }
 
-/// What a process that works there replaces at this very moment is looked at again.
+/// Files that another process replaces at this moment are read a second time.
 RunStatus status_of(const std::filesystem::path &folder) {
     RunStatus status = status_now(folder);
     for (int again = 0; again < 2 && !status.trouble.empty(); ++again) status = status_now(folder);
@@ -134,7 +134,7 @@ RunStatus status_of(const std::filesystem::path &folder) {
 FoundRuns find_runs(const std::filesystem::path &runs, const Spec &setting, int generations) {
     FoundRuns found;
     for (const std::filesystem::path &folder : run_folders(runs / setting.name))
-        sort_in(runs, folder, setting, generations, found);
+        add_run(runs, folder, setting, generations, found);
     std::sort(found.runs.begin(), found.runs.end(),
               [](const RecordedRun &a, const RecordedRun &b) { return a.seed < b.seed; });
     return found;

@@ -25,7 +25,7 @@ struct RecordedRun {
     Manifest manifest;
 };
 
-/// The runs of a setting by ascending seed, and of every other folder that is called like one why it is none of them.
+/// The runs of a setting by ascending seed, and of every other folder named like a run why it is left out.
 struct FoundRuns {
     std::vector<RecordedRun> runs;
     std::vector<std::string> left_out; // "folder: reason"

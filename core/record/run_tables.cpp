@@ -72,7 +72,8 @@ std::string archive_header_for(const std::string &lines) {
 
 } // namespace
 
-RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t seed, bool crowned) {
+RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t seed,
+                   bool has_new_champion) {
     RowTexts texts;
     const auto text = [&](std::string_view file) -> std::string & {
         const auto at = std::find(run_tables.begin(), run_tables.end(), file) - run_tables.begin();
@@ -83,7 +84,7 @@ RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t
     text(FitnessClassRow::file_name) = lines_of(fitness_class_rows(generation));
     text(IndividualRow::file_name) = individual_lines(generation, spec, seed);
     text(SpeciesRow::file_name) = species_lines(generation);
-    if (crowned) {
+    if (has_new_champion) {
         text(ChampionRow::file_name) = line_of(champion_row(generation, spec.parameters));
         text(ChampionGenomeRow::file_name) = lines_of(numbered_rows<ChampionGenomeRow>(
             generation.number, generation.population.genomes[generation.best]));

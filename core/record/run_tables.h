@@ -30,8 +30,8 @@ inline constexpr std::array run_tables{
 /// What a generation adds to each table, as lines in the order of run_tables.
 using RowTexts = std::array<std::string, run_tables.size()>;
 
-/// `crowned`: the generation's best is fitter than all before it in the run.
-RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t seed, bool crowned);
+/// `has_new_champion`: the generation's best is fitter than every individual before it in the run.
+RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t seed, bool has_new_champion);
 
 class RunTables {
   public:

@@ -8,7 +8,7 @@
 namespace planula {
 
 /// H = −Σ p(s) ln p(s) over the distinct values s, with p(s) the share of s among `values`. In nats; 0 if all
-/// values are equal or there is none, at most the logarithm of the number of distinct values.
+/// values are equal and without values, at most the logarithm of the number of distinct values.
 double entropy(std::span<const int> values);
 
 /// The same from how often each distinct value occurs. Counts are at least 0; those of 0 add nothing.

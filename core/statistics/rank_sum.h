@@ -23,8 +23,7 @@ struct RankSum {
     bool exact;       // whether p is exact
 };
 
-/// Compares two samples (statistics/summary.h). If all values are equal, p is 1: nothing speaks for a
-/// difference.
+/// Compares two samples (statistics/summary.h). If all values are equal, p is 1.
 RankSum rank_sum(std::span<const double> a, std::span<const double> b,
                  RankSumMethod method = RankSumMethod::automatic);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What one number says of many, and what this room calls a sample: at least one value, all of them finite.
-// Every function of the room CHECKs its samples; only entropy knows what to say of nothing. A sample of one
-// value, or of equal values, is as good as any other: its mean, its median and all its quantiles are that
-// value.
+// Summaries of many values by one, and what this room calls a sample: at least one value, all of them finite.
+// Every function of the room CHECKs its samples; only entropy is defined without a value. A sample of one
+// value, or of equal values, is valid: its mean, its median and all its quantiles are that value.
 #pragma once
 
 #include <span>

@@ -78,7 +78,7 @@ std::string unpack(std::string_view bytes) {
         return stored;
     }
     std::string content(static_cast<std::size_t>(length), '\0');
-    if (!decompress(stored, content)) reader.refuse("the compressed bytes make no sense");
+    if (!decompress(stored, content)) reader.refuse("the compressed bytes are invalid");
     return content;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bytes that can tell whether they are whole: a magic word, the version of the form, the length, the content,
-// and the SHA-256 of all that. Bytes cut short, lengthened or changed in any bit are not taken for sealed ones.
+// Bytes that show whether they are whole: a magic word, the version of the form, the length, the content,
+// and the SHA-256 of all that. Bytes that were cut short, lengthened or changed in any bit are recognised.
 #pragma once
 
 #include <optional>

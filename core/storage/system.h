@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The calls of the system that writers share, each checked: what fails is said with the file and the reason.
+// The calls of the system that writers share, each checked: errors name the file and the reason.
 #pragma once
 
 #include <filesystem>

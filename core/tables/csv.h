@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Tables as RFC 4180 text: a header, one line per row, a line feed after each. Numbers are the shortest text
-// that reads back to the same bits, whatever the locale. A number that is not finite is never written: that
-// is a broken promise of the program. Texts with a line break or NUL are refused, as the tables must open in
+// that reads back to the same bits, whatever the locale. A number that is not finite is never written: it is
+// an InternalError. Texts with a line break or NUL are refused, as the tables must open in
 // R, pandas and gnuplot alike.
 //
-// TableWriter and TableReader know a table by its row type (tables/columns.h); CsvWriter and CsvReader
+// TableWriter and TableReader know a table by its row type (tables/columns.h); CsvReader and to_field()
 // beneath them know only fields, for the one table whose columns depend on the experiment
 // (tables/archive_table.h).
 #pragma once
@@ -110,7 +110,7 @@ template <class Row> class TableReader {
   public:
     explicit TableReader(const std::filesystem::path &folder)
         : TableReader(folder / Row::file_name, header_of<Row>()) {}
-    /// Of a file that is called otherwise.
+    /// Of a file with another name.
     TableReader(const std::filesystem::path &file, const std::vector<std::string_view> &header)
         : reader_(file, header) {}
 

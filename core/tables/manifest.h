@@ -33,7 +33,7 @@ class Manifest {
     void check_seal() const;
 
     bool has(std::string_view key) const { return find(key) != nullptr; }
-    /// Throws InputError if there is no such key, or, for a number, if its value is none.
+    /// Throws InputError if there is no such key, or, for a number, if its value is not one.
     const std::string &text(std::string_view key) const;
     std::int64_t number(std::string_view key) const;
     /// A number of 1 or more that fits an int. Throws InputError.

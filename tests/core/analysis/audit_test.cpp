@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(an_untouched_run_agrees_with_itself_and_with_the_model) {
         }
 }
 
-BOOST_AUTO_TEST_CASE(how_much_is_recorded_is_the_records_affair) {
+BOOST_AUTO_TEST_CASE(an_audit_takes_from_the_record_how_much_is_recorded) {
     // Of 6 individuals in a generation some are left out after 167 generations.
     constexpr int length = 180;
     Audited run("neat", length, Recording::sample);

@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(an_interval_takes_runs) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(runs_without_a_value_are_left_out_and_told_of) {
+BOOST_AUTO_TEST_CASE(runs_without_a_value_are_left_out_and_reported) {
     const Spec a = fake_spec("ns", 10, 10), b = fake_spec("neat", 10, 10);
     std::vector<SettingRuns> settings{fake_setting(a, high), fake_setting(b, low)};
     settings[0].histories[2].after.at(10).direction_resultant = std::nullopt;
@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(a_mean_is_ahead_by_a_test_over_runs) {
     BOOST_TEST(judge_claim(claim, fake_analysis(), settings).verdict == "contradicted");
 }
 
-BOOST_AUTO_TEST_CASE(a_mean_ahead_by_chance_proves_nothing) {
+BOOST_AUTO_TEST_CASE(a_mean_ahead_by_chance_is_inconclusive) {
     // Always ahead, but by a tenth of what runs differ.
     const Spec a = fake_spec("ns", 10, 10), b = fake_spec("neat", 10, 10);
     const std::vector<SettingRuns> close{fake_setting(a, {1.1, 2.1, 3.1, 4.1, 5.1, 6.1}),

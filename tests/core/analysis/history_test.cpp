@@ -39,7 +39,7 @@ std::string individuals(const RecordedRun &run) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(facts_are_what_a_pencil_finds) {
+BOOST_AUTO_TEST_CASE(facts_are_as_computed_by_hand) {
     const TemporaryFolder folder;
     const RunHistory history = history_of(recorded(folder), {2, 4});
     BOOST_TEST((history.best == std::vector<double>{5, 15, 10, 10}));
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(all_in_one_direction_have_the_resultant_one) {
     BOOST_TEST(history.after.at(1).direction_resultant.value() == 1, tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(who_stands_still_has_no_direction_and_no_side) {
+BOOST_AUTO_TEST_CASE(an_individual_that_stands_still_has_no_direction_and_no_side) {
     // Slot 0 moves two cells up, the others tremble, ever more of them to the left: all that move go one way.
     const TemporaryFolder folder;
     const auto place = write_fake_run(folder.path(), fake_spec("ns", 4, 6), 1, [](int generation, int slot) {
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_past_does_not_depend_on_how_long_the_run_went_on) {
     BOOST_TEST(part.last.generation == 1);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_where_nobody_lives_has_facts_all_the_same) {
+BOOST_AUTO_TEST_CASE(a_run_without_viable_individuals_has_facts) {
     const TemporaryFolder folder;
     const auto place = write_fake_run(folder.path(), fake_spec("ns", 2, 3), 1, [](int, int) {
         return FakeLife{.cells = 0, .outcome = Outcome::died_out};

@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(unchanged_copies_are_left_out_but_for_the_genome_itself) {
     BOOST_TEST((family.line(5, false) == std::vector<std::int64_t>{2, 5}));
 }
 
-BOOST_AUTO_TEST_CASE(an_ancestor_is_told_with_what_it_was_and_did) {
+BOOST_AUTO_TEST_CASE(a_lineage_has_what_each_ancestor_was_and_did) {
     const Family family;
     const LineageRow row = lineage(read_run(family.folder / "run"), 11, false).at(1);
     BOOST_TEST(row.generation == 2);

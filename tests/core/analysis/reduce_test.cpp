@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(tables_that_cannot_be_written_leave_no_manifest) {
 
 namespace {
 
-/// Lives that differ between generations, slots and seeds, and of whom some do not live.
+/// Lives that differ between generations, slots and seeds, some of them not viable.
 Invent varied(std::uint64_t seed) {
     return [seed](int generation, int slot) -> FakeLife {
         Stream stream(seed, static_cast<std::uint32_t>(generation), static_cast<std::uint32_t>(slot),

@@ -55,7 +55,7 @@ struct Seen {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(every_individual_can_be_had_again_as_the_run_observed_it) {
+BOOST_AUTO_TEST_CASE(every_individual_is_simulated_again_as_the_run_observed_it) {
     for (const std::string search : {"neat", "novelty"}) {
         const Seen seen(search);
         for (const int generation : {0, 3, 24, 25, 26, 27})

@@ -39,7 +39,7 @@ std::filesystem::path three_runs(const TemporaryFolder &folder, const Spec &spec
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_sample_is_of_all_runs_and_the_same_each_time_and_lived_as_it_is) {
+BOOST_AUTO_TEST_CASE(a_sample_is_of_all_runs_and_the_same_each_time_with_its_own_lives) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers(), fake_spec("land", 2, 24)};
     const auto runs = three_runs(folder, settings[0]);
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_sample_is_of_all_runs_and_the_same_each_time_and_lived_as
     for (const std::uint64_t seed : {1, 2, 3}) BOOST_TEST(from(seed));
 }
 
-BOOST_AUTO_TEST_CASE(a_sample_larger_than_the_runs_is_everybody_once) {
+BOOST_AUTO_TEST_CASE(a_sample_larger_than_the_runs_has_every_individual_once) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers(4)};
     const auto runs = three_runs(folder, settings[0]);
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_concerns_the_worlds_that_it_shapes) {
     BOOST_TEST(!concerns(row_of("survival_rate"), land));
 }
 
-BOOST_AUTO_TEST_CASE(a_number_that_a_world_states_stands_for_its_parameter) {
+BOOST_AUTO_TEST_CASE(a_number_that_a_world_states_counts_as_its_parameter) {
     Spec honey = swimmers();
     honey.environment.drag_normal = 8;
     BOOST_TEST(used(row_of("drag_normal"), honey) == 8);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_varied_value_keeps_to_its_range_and_kind) {
     BOOST_TEST(varied(row_of("drag_normal"), 500, 2) == 500);
 }
 
-BOOST_AUTO_TEST_CASE(nothing_changes_with_the_same_value_and_all_is_lost_with_an_impossible_one) {
+BOOST_AUTO_TEST_CASE(nothing_changes_with_the_same_value_and_none_is_viable_with_an_impossible_one) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers()};
     const Sample sample = draw_samples(settings, {three_runs(folder, settings[0])}, 40, 2).at(0);

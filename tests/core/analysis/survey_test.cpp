@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(runs_are_ranked_by_fitness_and_equals_by_seed) {
     BOOST_TEST((ranking(setting) == std::vector<std::size_t>{4, 1, 2, 0, 3}));
 }
 
-BOOST_AUTO_TEST_CASE(runs_that_are_too_short_are_left_out_and_told) {
+BOOST_AUTO_TEST_CASE(runs_that_are_too_short_are_left_out_and_reported) {
     const TemporaryFolder folder;
     for (const auto &[seed, generations] : {std::pair{1, 5}, {2, 3}, {3, 4}})
         write_fake_run(folder.path(), fake_spec("ns", generations, 3), static_cast<std::uint64_t>(seed),
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(runs_that_are_too_short_are_left_out_and_told) {
                boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(only_the_chosen_seeds_are_taken_and_missing_ones_told) {
+BOOST_AUTO_TEST_CASE(only_the_chosen_seeds_are_taken_and_missing_ones_reported) {
     const TemporaryFolder folder;
     for (const std::uint64_t seed : {1, 2, 3})
         write_fake_run(folder.path(), fake_spec("ns", 2, 3), seed, life);
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(only_the_chosen_seeds_are_taken_and_missing_ones_told) {
     BOOST_CHECK_THROW(survey(settings, {.folder = folder.path(), .seeds = {7}}), InputError);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_of_another_identity_is_left_out_and_told) {
+BOOST_AUTO_TEST_CASE(a_run_of_another_identity_is_left_out_and_reported) {
     const TemporaryFolder folder;
     write_fake_run(folder.path(), fake_spec("ns", 2, 3), 1, life);
     write_fake_run(folder.path(), fake_spec("ns", 2, 30), 2, life);

@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_champion_that_the_time_step_made_is_flagged) {
     BOOST_TEST(burst.half_outcome == "exploded");
 }
 
-BOOST_AUTO_TEST_CASE(a_champion_that_stirs_while_its_muscles_hold_still_is_flagged) {
+BOOST_AUTO_TEST_CASE(a_champion_that_moves_while_its_muscles_hold_still_is_flagged) {
     const auto flag = [](double half, double unrest) {
         return witness_row(fake_spec("water", 1, 1), champion, 7,
                            {moved(20), moved(half), moved(20), moved(20), {}, unrest})
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscle
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_body_that_explodes_is_as_restless_as_can_be) {
+BOOST_AUTO_TEST_CASE(a_body_that_explodes_has_the_highest_unrest) {
     Conditions conditions{.actuation_range = 0.4, .environment = specimens::water()};
     conditions.parameters.development.time_step = 0.02;
     const Genome genome = specimens::lump_genome(Actuation::oscillator, 6);
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(a_body_that_explodes_is_as_restless_as_can_be) {
     BOOST_TEST(held_unrest(genome, conditions) == 50);
 }
 
-BOOST_AUTO_TEST_CASE(what_muscles_do_is_not_unrest) {
+BOOST_AUTO_TEST_CASE(movement_by_muscles_is_not_unrest) {
     // A swimmer stirs to the end of its life, and no longer once its muscles hold still.
     const Conditions conditions{.actuation_range = 0.4, .environment = specimens::water()};
     const Genome genome = specimens::lump_genome(Actuation::oscillator, 6);
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(the_cause_is_chaos_before_the_step_before_the_engine) {
     BOOST_TEST(row.eighth_change == 0.5, tt::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(a_life_that_is_not_viable_has_lost_all_the_way_and_has_no_place) {
+BOOST_AUTO_TEST_CASE(a_life_that_is_not_viable_has_lost_the_whole_distance_and_has_no_place) {
     const WitnessRow row = row_of(moved(20), moved(20), moved(20, Outcome::never_settled));
     BOOST_TEST(row.bullet_outcome == "never_settled");
     BOOST_TEST(row.bullet_displacement == 0);
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(champions_are_witnessed_the_same_on_any_number_of_threads) 
     BOOST_TEST(engines[0].champions == 3);
 }
 
-BOOST_AUTO_TEST_CASE(a_champion_of_bullet_is_held_to_its_life_in_bullet) {
+BOOST_AUTO_TEST_CASE(a_champion_of_bullet_must_have_its_life_in_bullet) {
     const TemporaryFolder folder;
     std::vector<Spec> settings{swimmers()};
     settings[0].engine = "bullet";
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(a_champion_of_bullet_is_held_to_its_life_in_bullet) {
     BOOST_CHECK_THROW(witness(settings, {folder / "runs"}, folder / "data", 2), InputError);
 }
 
-BOOST_AUTO_TEST_CASE(a_champion_that_does_not_live_as_recorded_is_refused) {
+BOOST_AUTO_TEST_CASE(a_champion_whose_life_is_not_the_recorded_one_is_refused) {
     const TemporaryFolder folder;
     const std::vector<Spec> settings{swimmers()};
     write_fake_run(folder / "runs", settings[0], 1, [](int, int) { return FakeLife{.moved = {3, 4}}; });

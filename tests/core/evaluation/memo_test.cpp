@@ -22,8 +22,8 @@ Conditions conditions(Actuation actuation) {
     return c;
 }
 
-/// Lives a generation; each life must be what live() says.
-Known lived(Memo &memo, const std::vector<Genome> &genomes, const Conditions &given, int threads = 1) {
+/// Simulates a generation, each life of which must be what live() gives; how many were known.
+Known known_of(Memo &memo, const std::vector<Genome> &genomes, const Conditions &given, int threads = 1) {
     memo.begin_generation(static_cast<int>(genomes.size()));
     std::vector<Life> lives(genomes.size());
     parallel_for(static_cast<int>(genomes.size()), threads,
@@ -59,8 +59,9 @@ BOOST_AUTO_TEST_CASE(an_equal_genome_is_known_whatever_its_name_and_another_is_n
         const Conditions given = conditions(actuation);
         const Genome lump = lump_genome(actuation, 6), dead = bare_genome(actuation);
         Memo memo(given);
-        BOOST_TEST(lived(memo, {lump, dead}, given).lives == 0);
-        const Known known = lived(memo, {renamed(dead), renamed(lump), with_last_weight(lump, 0.5)}, given);
+        BOOST_TEST(known_of(memo, {lump, dead}, given).lives == 0);
+        const Known known =
+            known_of(memo, {renamed(dead), renamed(lump), with_last_weight(lump, 0.5)}, given);
         BOOST_TEST(known.lives == 2);
         BOOST_TEST(known.movements == 0);
     }
@@ -70,9 +71,9 @@ BOOST_AUTO_TEST_CASE(an_equal_body_with_equal_oscillators_moves_as_known) {
     const Conditions given = conditions(Actuation::oscillator);
     const Genome lump = lump_genome(Actuation::oscillator, 6);
     Memo memo(given);
-    lived(memo, {lump}, given);
+    known_of(memo, {lump}, given);
     // The last link of the lump sets its phases: an equal body that moves in another way.
-    const Known known = lived(memo, {with_idle_node(lump), with_last_weight(lump, -5)}, given);
+    const Known known = known_of(memo, {with_idle_node(lump), with_last_weight(lump, -5)}, given);
     BOOST_TEST(known.lives == 0);
     BOOST_TEST(known.movements == 1);
     BOOST_TEST(live(with_last_weight(lump, -5), given).cells == live(lump, given).cells);
@@ -82,8 +83,8 @@ BOOST_AUTO_TEST_CASE(networks_as_muscles_are_known_by_the_genome_alone) {
     const Conditions given = conditions(Actuation::grn);
     const Genome lump = lump_genome(Actuation::grn, 6);
     Memo memo(given);
-    lived(memo, {lump}, given);
-    const Known known = lived(memo, {with_last_weight(lump, -2.5), with_idle_node(lump)}, given);
+    known_of(memo, {lump}, given);
+    const Known known = known_of(memo, {with_last_weight(lump, -2.5), with_idle_node(lump)}, given);
     BOOST_TEST((known.lives == 0 && known.movements == 0));
 }
 
@@ -91,9 +92,9 @@ BOOST_AUTO_TEST_CASE(one_generation_is_remembered_and_what_it_knew_itself) {
     const Conditions given = conditions(Actuation::oscillator);
     const Genome lump = lump_genome(Actuation::oscillator, 6), line = line_genome(Actuation::oscillator, 5);
     Memo memo(given);
-    lived(memo, {lump, line}, given);
-    BOOST_TEST(lived(memo, {lump}, given).lives == 1);
-    const Known known = lived(memo, {line, lump, with_idle_node(lump)}, given);
+    known_of(memo, {lump, line}, given);
+    BOOST_TEST(known_of(memo, {lump}, given).lives == 1);
+    const Known known = known_of(memo, {line, lump, with_idle_node(lump)}, given);
     BOOST_TEST(known.lives == 1);
     BOOST_TEST(known.movements == 1);
 }
@@ -106,6 +107,6 @@ BOOST_AUTO_TEST_CASE(what_is_known_does_not_depend_on_threads) {
         second.push_back(with_last_weight(lump_genome(Actuation::oscillator, 5), i % 6));
     }
     Memo memo(given);
-    BOOST_TEST(lived(memo, first, given, 3).lives == 0); // equals of one generation do not see each other
-    BOOST_TEST(lived(memo, second, given, 3).lives == 6);
+    BOOST_TEST(known_of(memo, first, given, 3).lives == 0); // equals of one generation do not see each other
+    BOOST_TEST(known_of(memo, second, given, 3).lives == 6);
 }

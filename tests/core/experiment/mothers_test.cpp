@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_changed_child_has_the_life_of_its_mother_and_a_copy_has_n
     BOOST_TEST(mothers.of(child_of(7, 4)) == nullptr);
 }
 
-BOOST_AUTO_TEST_CASE(who_has_no_child_and_is_not_kept_is_forgotten) {
+BOOST_AUTO_TEST_CASE(an_individual_without_children_that_is_not_kept_is_forgotten) {
     Mothers mothers = three();
     mothers.keep(of({child_of(3, 0), child_of(4, 1, Origin::champion)}), std::vector{child_of(2, -1)});
     BOOST_TEST(mothers.of(child_of(7, 0))->fitness == 1);
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(who_has_no_child_and_is_not_kept_is_forgotten) {
     BOOST_TEST(mothers.of(child_of(7, 2))->cells == 30);
 }
 
-BOOST_AUTO_TEST_CASE(a_mother_who_never_lived_is_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(a_mother_that_was_never_simulated_is_an_internal_error) {
     Mothers mothers = three();
     BOOST_CHECK_THROW(mothers.keep(of({child_of(3, 9)}), {}), InternalError);
 }

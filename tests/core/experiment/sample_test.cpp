@@ -17,7 +17,7 @@ bool is_in_sample(int population, int generations, int generation, int slot) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_sample_of_a_short_run_is_everybody_and_of_a_long_one_the_least_share) {
+BOOST_AUTO_TEST_CASE(the_sample_of_a_short_run_is_everyone_and_of_a_long_one_the_least_share) {
     BOOST_TEST(sample_share(0.01, 1000, 10, 100) == 1);
     BOOST_TEST(sample_share(0.01, 1000, 10, 99) == 1);
     BOOST_TEST(sample_share(0.01, 1000, 10, 200) == 0.5);
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(the_sample_of_a_short_run_is_everybody_and_of_a_long_one_th
     BOOST_TEST(sample_share(2, 0, 10, 10) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(whoever_is_in_the_sample_of_a_longer_run_was_recorded) {
+BOOST_AUTO_TEST_CASE(all_in_the_sample_of_a_longer_run_were_recorded) {
     for (const int population : {5, 60, 300})
         for (const int generations : {1, 2, 30, 100})
             for (int generation = 0; generation < generations; ++generation)
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(whoever_is_in_the_sample_of_a_longer_run_was_recorded) {
                                         is_recorded(seed, population, generation, slot)));
 }
 
-BOOST_AUTO_TEST_CASE(everybody_is_recorded_until_a_thousand_have_lived_and_fewer_after) {
+BOOST_AUTO_TEST_CASE(everyone_is_recorded_up_to_a_thousand_individuals_and_fewer_after) {
     constexpr int population = 50;
     int early = 0, late = 0;
     for (int generation = 0; generation < 20; ++generation)

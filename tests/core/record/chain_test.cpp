@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(a_row_that_is_missing_or_one_too_many_names_its_generation)
     }
 }
 
-BOOST_AUTO_TEST_CASE(rows_after_the_last_generation_are_told_with_their_file) {
+BOOST_AUTO_TEST_CASE(rows_after_the_last_generation_are_reported_with_their_file) {
     const Recorded run;
     for (const std::string_view table : run_tables) {
         const std::string said = run.with(table, run.text(table) + "4,1,1,1\n");
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(rows_after_the_last_generation_are_told_with_their_file) {
     BOOST_TEST(run.with("chain.csv", chain + "4,a,b\n") == at(run, 4));
 }
 
-BOOST_AUTO_TEST_CASE(the_chain_of_another_seed_parts_at_the_first_generation) {
+BOOST_AUTO_TEST_CASE(the_chain_of_another_seed_differs_from_the_first_generation) {
     const Recorded run;
     const std::string other = identity_of(fake_spec("osc", generations, 3, "novelty"), seed + 1).sha256();
     BOOST_TEST(message_of<InputError>([&] { check_chain(run.place, other, read_chain(run.place)); }) ==

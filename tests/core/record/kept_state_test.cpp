@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_file_is_no_state_and_one_that_is_not_there_is_ref
     BOOST_TEST(contains(message_of<InputError>([&] { read_state(folder / "checkpoint"); }), "cannot open"));
 }
 
-BOOST_AUTO_TEST_CASE(a_file_whole_but_senseless_is_refused_by_name) {
+BOOST_AUTO_TEST_CASE(a_whole_file_with_invalid_content_is_refused_by_name) {
     const TemporaryFolder folder;
     const auto refused = [&](const StateWriter &content) {
         write_bytes(folder / "checkpoint", seal(pack(content.bytes())));

@@ -59,7 +59,7 @@ void forge(const fs::path &folder, int from) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_run_that_is_nowhere_yet_is_copied_whole) {
+BOOST_AUTO_TEST_CASE(a_run_that_is_not_there_yet_is_copied_whole) {
     for (const bool complete : {true, false}) {
         const TemporaryFolder folder;
         const auto from = run_in(folder, "a"), into = run_in(folder, "all");
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(a_run_under_way_is_as_long_as_its_newest_checkpoint) {
     BOOST_TEST((contents(into) == contents(folder / "at_once")));
 }
 
-BOOST_AUTO_TEST_CASE(complete_results_give_way_to_complete_ones_alone) {
+BOOST_AUTO_TEST_CASE(complete_results_are_replaced_by_complete_ones_alone) {
     // Complete at 3 and on the way to 9, beside one that is complete at 5.
     const TemporaryFolder folder;
     const auto longer = run_in(folder, "a"), complete = run_in(folder, "b"), into = run_in(folder, "all");
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(complete_results_give_way_to_complete_ones_alone) {
     BOOST_TEST((merge_run(complete, other) == Merged::known));
 }
 
-BOOST_AUTO_TEST_CASE(runs_that_part_are_refused_with_the_generation) {
+BOOST_AUTO_TEST_CASE(runs_that_differ_are_refused_with_the_generation) {
     const TemporaryFolder folder;
     const auto one = run_in(folder, "a"), two = run_in(folder, "b");
     for (const int generation : {0, 2}) {
@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(runs_that_part_are_refused_with_the_generation) {
         for (const auto &[from, into] : {std::pair{one, two}, {two, one}})
             BOOST_TEST(refusal<InputError>(from, into) ==
                        from.string() + " and " + into.string() +
-                           " contradict each other: their chains part at generation " + to_text(generation) +
-                           ". Nothing was changed.");
+                           " contradict each other: their chains differ from generation " +
+                           to_text(generation) + ". Nothing was changed.");
         fs::remove_all(one), fs::remove_all(two);
     }
 }
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(where_no_run_has_begun_there_is_nothing_to_gather) {
     BOOST_TEST((contents(into) == contents(from)));
 }
 
-BOOST_AUTO_TEST_CASE(whoever_is_killed_on_the_way_loses_nothing_and_continues) {
+BOOST_AUTO_TEST_CASE(a_killed_merge_loses_nothing_and_continues) {
     const TemporaryFolder folder;
     const auto shorter = run_in(folder, "a"), longer = run_in(folder, "b"), into = run_in(folder, "all");
     quick::write(shorter, quick::spec("novelty", 3));

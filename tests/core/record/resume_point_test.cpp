@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_state_costs_generations_and_no_result) {
     resumes_with({"checkpoint", "states/000004.state"}, 2);
 }
 
-BOOST_AUTO_TEST_CASE(with_every_checkpoint_damaged_a_kept_state_will_do) {
+BOOST_AUTO_TEST_CASE(with_every_checkpoint_damaged_a_kept_state_is_used) {
     const TemporaryFolder folder;
     quick::write(folder / "whole", quick::spec());
     leave_two_checkpoints(folder / "run");
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(a_table_that_was_edited_or_cut_is_refused_by_name) {
     BOOST_TEST(contains(refusal(folder / "left"), "species.csv.gz.part"));
 }
 
-BOOST_AUTO_TEST_CASE(a_checkpoint_that_makes_no_sense_is_refused_by_name_and_nothing_is_lost) {
+BOOST_AUTO_TEST_CASE(an_invalid_checkpoint_is_refused_by_name_and_nothing_is_lost) {
     const TemporaryFolder folder;
     leave_two_checkpoints(folder / "left");
     const std::string whole = read_bytes(folder / "left/checkpoint");

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(foreign_files_are_not_taken_for_a_run) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_a_process_leaves_that_is_killed_before_it_names_the_run_does_no_harm) {
+BOOST_AUTO_TEST_CASE(files_of_a_process_killed_before_it_names_the_run_do_no_harm) {
     const TemporaryFolder folder;
     make_folder(folder / "run/script");
     write_bytes(folder / "run/script/experiment.lua", "half a scri");
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(the_scripts_are_kept_with_the_run) {
                boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(how_far_a_run_is_can_be_told_from_its_folder) {
+BOOST_AUTO_TEST_CASE(a_folder_shows_how_many_generations_are_done) {
     const TemporaryFolder folder;
     const auto lengths = [&] {
         return std::pair{complete_generations(folder / "run"), recorded_generations(folder / "run")};
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(how_far_a_run_is_can_be_told_from_its_folder) {
     BOOST_TEST((lengths() == std::pair{4, 6}));
 }
 
-BOOST_AUTO_TEST_CASE(a_folder_for_tables_is_nobody_elses_and_not_that_of_a_run) {
+BOOST_AUTO_TEST_CASE(a_folder_for_tables_has_one_process_and_is_not_that_of_a_run) {
     const TemporaryFolder folder;
     {
         const FolderLock held = hold_for_tables(folder / "data");

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_setting_without_a_folder_has_no_runs) {
     BOOST_TEST(found.left_out.empty());
 }
 
-BOOST_AUTO_TEST_CASE(what_is_none_of_the_runs_is_left_out_with_the_reason) {
+BOOST_AUTO_TEST_CASE(what_is_not_one_of_the_runs_is_left_out_with_the_reason) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 5, 3);
     const auto left_out = [&](const std::string &place, const std::string &reason) {
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(the_state_before_a_generation_is_the_runs_or_refused) {
                         "it is of another generation"));
 }
 
-BOOST_AUTO_TEST_CASE(the_status_of_every_run_is_told) {
+BOOST_AUTO_TEST_CASE(every_run_has_a_status) {
     const TemporaryFolder folder;
     write_fake_run(folder.path(), fake_spec("osc", 2, 3), 2, life);
     make_folder(folder / "osc/seed-001");

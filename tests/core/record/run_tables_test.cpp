@@ -19,11 +19,12 @@ constexpr std::uint64_t seed = 1;
 FakeLife life(int generation, int slot) { return {.fitness = 1.0 + generation + slot, .cells = 10 + slot}; }
 
 /// The rows of the first generation.
-RowTexts rows_of(const Spec &spec, bool crowned) {
+RowTexts rows_of(const Spec &spec, bool has_new_champion) {
     RowTexts rows;
     FakeRun run(spec, seed);
-    run.observe(life,
-                [&](const Generation &generation) { rows = row_texts(generation, spec, seed, crowned); });
+    run.observe(life, [&](const Generation &generation) {
+        rows = row_texts(generation, spec, seed, has_new_champion);
+    });
     return rows;
 }
 
@@ -46,16 +47,16 @@ BOOST_AUTO_TEST_CASE(every_row_of_a_generation_begins_with_its_number) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(only_a_crowned_generation_adds_a_champion) {
+BOOST_AUTO_TEST_CASE(only_a_generation_with_a_new_champion_adds_one) {
     const Spec spec = fake_spec("osc", 1, 4, "novelty");
-    const RowTexts crowned = rows_of(spec, true), other = rows_of(spec, false);
-    for (std::size_t i = 0; i < crowned.size(); ++i) {
+    const RowTexts champion = rows_of(spec, true), other = rows_of(spec, false);
+    for (std::size_t i = 0; i < champion.size(); ++i) {
         const bool is_champions =
             i == place_of(ChampionRow::file_name) || i == place_of(ChampionGenomeRow::file_name);
         if (is_champions)
             BOOST_TEST(other[i].empty(), run_tables[i]);
         else
-            BOOST_TEST((other[i] == crowned[i]), run_tables[i]);
+            BOOST_TEST((other[i] == champion[i]), run_tables[i]);
     }
 }
 

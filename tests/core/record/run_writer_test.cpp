@@ -334,7 +334,7 @@ BOOST_AUTO_TEST_CASE(a_run_recorded_as_a_sample_differs_in_the_rows_of_individua
     BOOST_TEST((open_run(sample).record == Recording::sample));
 }
 
-BOOST_AUTO_TEST_CASE(a_life_with_a_number_that_is_not_finite_is_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(a_life_with_a_number_that_is_not_finite_is_an_internal_error) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 3, 4);
     RunWriter writer(folder.path(), spec, seed, fake_sources());

@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_CASE(the_hypergeometric_tail_is_that_of_r) {
     BOOST_TEST(hypergeometric_tail(3, 40, 20, 5) == 0.5, tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(what_must_happen_is_certain_and_what_cannot_is_not) {
+BOOST_AUTO_TEST_CASE(what_must_happen_has_probability_one_and_what_cannot_zero) {
     BOOST_TEST(hypergeometric_tail(0, 10, 4, 3) == 1, tolerance(1e-12));
     BOOST_TEST(hypergeometric_tail(4, 10, 3, 5) == 0);
     BOOST_TEST(hypergeometric_tail(3, 10, 10, 3) == 1, tolerance(1e-12));
@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(the_binomial_tail_is_that_of_r) {
     BOOST_TEST(binomial_lower_tail(0, 0, 0.25) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(more_marked_than_there_are_is_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(more_marked_than_there_are_is_an_internal_error) {
     BOOST_CHECK_THROW(hypergeometric_tail(1, 10, 11, 3), InternalError);
     BOOST_CHECK_THROW(binomial_lower_tail(1, 10, 1.5), InternalError);
 }

@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(a12_is_the_share_of_the_rank_sum_statistic) {
     BOOST_TEST(a12(a, b) == rank_sum(a, b).statistic / (8 * 7));
 }
 
-BOOST_AUTO_TEST_CASE(an_empty_side_is_no_sample) {
+BOOST_AUTO_TEST_CASE(an_empty_sample_is_refused) {
     BOOST_CHECK_THROW(a12(std::vector<double>{}, std::vector<double>{1}), InternalError);
     BOOST_CHECK_THROW(a12(std::vector<double>{1}, std::vector<double>{}), InternalError);
 }

@@ -24,7 +24,7 @@ const std::vector<double> x{12.1, 14.5, 9.8,  11.3, 15.2, 13.7, 10.4, 12.9, 16.1
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(few_values_are_shared_out_in_every_way) {
+BOOST_AUTO_TEST_CASE(few_values_are_divided_in_every_way) {
     const std::vector<double> a{1.5, 2.5, 9}, b{3, 4, 4.5, 8};
     const Permutation found = permutation_test(a, b, usual);
     BOOST_TEST(found.exact);
@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(draws_repeat_by_seed_and_key) {
     BOOST_TEST(p(1, 0) != p(1, 1));
 }
 
-BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_speak) {
+BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_be_significant) {
     for (const auto &[a, b] :
          {std::pair<std::vector<double>, std::vector<double>>{{1}, {2}}, {{7, 7}, {7, 7}}}) {
         const Permutation found = permutation_test(a, b, usual);
@@ -64,14 +64,14 @@ BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_speak) {
     BOOST_TEST(three.least == 0.1, tt::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(a_far_difference_is_as_rare_as_can_be) {
+BOOST_AUTO_TEST_CASE(a_far_difference_has_the_smallest_p) {
     std::vector<double> far = x;
     for (double &value : far) value += 100;
     const Permutation found = permutation_test(far, y, usual);
     BOOST_TEST(found.p == found.least);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_sample_or_no_request_is_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(an_invalid_sample_or_request_is_an_internal_error) {
     BOOST_CHECK_THROW(permutation_test(x, std::vector<double>{}, usual), InternalError);
     BOOST_CHECK_THROW(permutation_test(x, y, {0, 1, 0}), InternalError);
 }

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(equal_values_have_no_correlation) {
     BOOST_TEST(!rank_correlation(std::vector<double>{1}, std::vector<double>{2}).has_value());
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_pair_of_samples_is_refused) {
+BOOST_AUTO_TEST_CASE(invalid_pairs_of_samples_are_refused) {
     const std::vector<double> none, bad{1, std::numeric_limits<double>::quiet_NaN()}, two{1, 2};
     BOOST_CHECK_THROW(rank_correlation(none, none), InternalError);
     BOOST_CHECK_THROW(rank_correlation(two, bad), InternalError);

@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(either_method_can_be_forced) {
           0.57499832586045585, true);
 }
 
-BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_speak) {
+BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_be_significant) {
     check(rank_sum(std::vector<double>{1}, std::vector<double>{2}), 0, 1, true);    // wilcox.test(1, 2)
     check(rank_sum(std::vector<double>{3, 1}, std::vector<double>{2}), 1, 1, true); // wilcox.test(c(3, 1), 2)
     // wilcox.test(c(1, 2), c(1.5, 1.7), exact = FALSE)
@@ -121,14 +121,14 @@ BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_speak) {
           false);
 }
 
-BOOST_AUTO_TEST_CASE(equal_values_give_no_reason_to_doubt) {
+BOOST_AUTO_TEST_CASE(equal_values_have_p_1) {
     check(rank_sum(std::vector<double>(20, 7), std::vector<double>(20, 7)), 200, 1, true);
     check(rank_sum(std::vector<double>{7}, std::vector<double>{7}), 0.5, 1, true);
     const std::vector<double> many(60, 7);
     check(rank_sum(many, many), 1800, 1, false);
 }
 
-BOOST_AUTO_TEST_CASE(the_test_is_symmetric_and_knows_only_ranks) {
+BOOST_AUTO_TEST_CASE(the_test_is_symmetric_and_depends_on_ranks_alone) {
     for (const auto method : {RankSumMethod::exact, RankSumMethod::normal}) {
         const RankSum one = rank_sum(a, b, method), other = rank_sum(b, a, method);
         BOOST_TEST(one.p == other.p);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_test_is_symmetric_and_knows_only_ranks) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(an_empty_side_or_nan_is_no_sample) {
+BOOST_AUTO_TEST_CASE(an_empty_sample_or_nan_is_refused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     BOOST_CHECK_THROW(rank_sum(std::vector<double>{}, b), InternalError);
     BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{}), InternalError);

@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(one_value_or_equal_values_are_their_own_summary) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(nothing_and_what_is_not_finite_are_no_samples) {
+BOOST_AUTO_TEST_CASE(empty_samples_and_values_that_are_not_finite_are_refused) {
     const double nan = std::numeric_limits<double>::quiet_NaN(),
                  inf = std::numeric_limits<double>::infinity();
     for (const std::vector<double> &sample : {std::vector<double>{}, {nan}, {1, nan}, {1, inf}, {-inf}}) {

@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(a_journal_that_resumes_forgets_what_came_after_its_mark) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_journal_that_nothing_can_resume_goes) {
+BOOST_AUTO_TEST_CASE(a_journal_without_a_mark_is_removed) {
     const TemporaryFolder folder;
     { Journal(folder / "table.csv").write("first\n"); }
     BOOST_TEST(!std::filesystem::exists(folder / "table.csv.part"));
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_journal_that_was_changed_or_cut_is_refused_by_name_and_le
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_full_disk_is_told_with_the_name_of_the_journal) {
+BOOST_AUTO_TEST_CASE(a_full_disk_is_reported_with_the_name_of_the_journal) {
     const TemporaryFolder folder;
     const std::filesystem::path part = journal_path(folder / "table.csv");
     std::filesystem::create_symlink("/dev/full", part);

@@ -139,6 +139,6 @@ BOOST_AUTO_TEST_CASE(every_whole_percent_begins_its_class) {
     BOOST_TEST((classes_of(fitness) == expected));
 }
 
-BOOST_AUTO_TEST_CASE(with_nobody_fit_all_are_in_the_first_class) {
+BOOST_AUTO_TEST_CASE(without_fitness_all_are_in_the_first_class) {
     BOOST_TEST((classes_of({0, 0, 0}) == Counts{{0, 3}}));
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/relive.h"
+#include "analysis/simulate_again.h"
 
 #include "base/error.h"
 #include "base/text.h"
 
 namespace planula {
 
-Life relive(const Recorded &recorded, const Spec &spec, const Watch &watch) {
+Life simulate_again(const RecordedIndividual &recorded, const Spec &spec, const Watch &watch) {
     const std::string file = recorded.file.string();
     const Genome &genome = recorded.genome;
     if (genome.inputs != input::count || genome.outputs != output::count(spec.actuation))
@@ -17,7 +17,7 @@ Life relive(const Recorded &recorded, const Spec &spec, const Watch &watch) {
     if (life.displacement() != recorded.displacement || life.cells != recorded.cells)
         throw InputError(file + ": the best individual of '" + spec.name + "' moved " +
                          to_text(recorded.displacement) + " cells with " + to_text(recorded.cells) +
-                         " cells, and lived again it moves " + to_text(life.displacement()) + " with " +
+                         " cells, and simulated again it moves " + to_text(life.displacement()) + " with " +
                          to_text(life.cells) + ": the data are of another experiment or version");
     return life;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Individuals of a record, lived again: a life is a pure function, so what is not the recorded life to the
-// last bit is of another experiment or version.
+// Recorded individuals simulated again: live() is a pure function, so a life that differs from the record in any
+// bit is of another experiment or version.
 #pragma once
 
 #include "evaluation/live.h"
@@ -12,15 +12,15 @@
 namespace planula {
 
 /// The best individual of a setting or of a run, as recorded.
-struct Recorded {
+struct RecordedIndividual {
     std::filesystem::path file; // that says so, for errors
     Genome genome;
     double fitness = 0, displacement = 0;
     int cells = 0;
 };
 
-/// Lives the individual again under the conditions of its setting. Throws InputError if its genome does not
+/// Simulates the individual again under the conditions of its setting. Throws InputError if its genome does not
 /// fit the setting's actuation, or if it does not have the recorded displacement and cells.
-Life relive(const Recorded &recorded, const Spec &spec, const Watch &watch = {});
+Life simulate_again(const RecordedIndividual &recorded, const Spec &spec, const Watch &watch = {});
 
 } // namespace planula

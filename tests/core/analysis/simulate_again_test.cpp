@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/relive.h"
+#include "analysis/simulate_again.h"
 
 #include "base/error.h"
 #include "core/record/fake_run.h"
@@ -21,7 +21,7 @@ Spec swimmers() {
 }
 
 /// The first viable individual of a random population.
-Recorded recorded_of(const Spec &spec) {
+RecordedIndividual recorded_of(const Spec &spec) {
     for (const Genome &genome : fake_population(spec, 1).genomes) {
         const Life life = live(genome, spec);
         if (life.outcome == Outcome::viable)
@@ -30,15 +30,15 @@ Recorded recorded_of(const Spec &spec) {
                     .displacement = life.displacement(),
                     .cells = life.cells};
     }
-    throw std::runtime_error("nobody lives");
+    throw std::runtime_error("no individual is viable");
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_recorded_life_is_lived_to_the_last_bit) {
+BOOST_AUTO_TEST_CASE(the_recorded_life_is_simulated_again_to_the_last_bit) {
     const Spec spec = swimmers();
-    const Recorded recorded = recorded_of(spec);
-    const Life life = relive(recorded, spec);
+    const RecordedIndividual recorded = recorded_of(spec);
+    const Life life = simulate_again(recorded, spec);
     BOOST_TEST(life.displacement() > 0);
     BOOST_TEST(life.displacement() == recorded.displacement);
     BOOST_TEST(life.cells == recorded.cells);
@@ -46,11 +46,11 @@ BOOST_AUTO_TEST_CASE(the_recorded_life_is_lived_to_the_last_bit) {
 
 BOOST_AUTO_TEST_CASE(another_distance_or_size_is_refused) {
     const Spec spec = swimmers();
-    Recorded other = recorded_of(spec);
+    RecordedIndividual other = recorded_of(spec);
     other.displacement = std::nextafter(other.displacement, 1000);
-    BOOST_TEST(contains(message_of<InputError>([&] { relive(other, spec); }),
+    BOOST_TEST(contains(message_of<InputError>([&] { simulate_again(other, spec); }),
                         "table.csv: the best individual of 'water' moved"));
     other = recorded_of(spec);
     ++other.cells;
-    BOOST_CHECK_THROW(relive(other, spec), InputError);
+    BOOST_CHECK_THROW(simulate_again(other, spec), InputError);
 }
