@@ -236,7 +236,7 @@ function tables.print_engines()
     add_setting(lines, { short(row.setting), show(row.champions), percent_of(row.half_change_median),
       percent_of(row.half_change_largest), percent_of(row.bullet_change_median), percent_of(row.bullet_change_largest),
       tonumber(row.rank_correlation) and ('$%.2f$'):format(tonumber(row.rank_correlation)) or '--',
-      show(row.flagged), show(row.chaotic), show(row.stepped), show(row.apart) }, number, #data.engines)
+      show(row.flagged), show(row.cause_chaos), show(row.cause_time_step), show(row.cause_engine) }, number, #data.engines)
   end
   print_tabular('lrrrrrrrrrr', head, lines)
 end

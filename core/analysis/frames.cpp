@@ -159,7 +159,7 @@ void write_setting(const Spec &spec, const RecordedIndividual &recorded, FrameTa
                      .displacement = life.displacement(),
                      .cells = life.cells,
                      .elongation = life.elongation,
-                     .links = life.springs,
+                     .springs = life.springs,
                      .triangles = life.triangles});
 }
 

@@ -37,7 +37,7 @@ class Tally {
         std::vector<std::int64_t> counts;
         for (const auto &[size, count] : sizes_) {
             counts.push_back(count);
-            facts.viable += count;
+            facts.with_fitness += count;
         }
         facts.size_entropy = entropy_of_counts(counts);
         facts.valid_share = static_cast<double>(last_.valid) / population_;

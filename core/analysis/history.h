@@ -18,10 +18,10 @@ namespace planula {
 
 /// What a run had come to after a number of generations.
 struct RunFacts {
-    ChampionRow champion;    // the best individual so far
-    double size_entropy = 0; // Eq. 8: cell counts of all individuals with fitness above 0, nats
-    std::int64_t viable = 0; // those individuals
-    double valid_share = 0;  // of the last of these generations
+    ChampionRow champion;          // the best individual so far
+    double size_entropy = 0;       // Eq. 8: cell counts of all individuals with fitness above 0, nats
+    std::int64_t with_fitness = 0; // those individuals
+    double valid_share = 0;        // of the last of these generations
     Maybe
         fitness_spread; // interquartile range over the highest fitness, valid, last generation; none if that is 0
     Maybe

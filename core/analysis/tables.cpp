@@ -117,7 +117,7 @@ std::vector<RunRow> run_rows(const SettingRuns &setting) {
                 .late_actuation = champion.late_actuation,
                 .elongation = champion.elongation,
                 .size_entropy = facts.size_entropy,
-                .viable = facts.viable,
+                .with_fitness = facts.with_fitness,
                 .valid_share_last = facts.valid_share,
                 .fitness_spread_last = facts.fitness_spread,
                 .shape_diversity_first = history.shape_diversity.front(),

@@ -155,9 +155,9 @@ EngineRow engine_row(const Spec &spec, std::span<const WitnessRow> champions) {
     row.held_unrest_largest = *std::max_element(held.begin(), held.end());
     for (const WitnessRow &r : champions) {
         row.flagged += !r.flag.empty();
-        row.chaotic += r.cause == "chaos";
-        row.stepped += r.cause == "time step";
-        row.apart += r.cause == "engine";
+        row.cause_chaos += r.cause == "chaos";
+        row.cause_time_step += r.cause == "time step";
+        row.cause_engine += r.cause == "engine";
         if (r.rest_height && r.bullet_rest_height)
             row.height_change_largest = std::max(row.height_change_largest.value_or(0),
                                                  std::abs(*r.bullet_rest_height - *r.rest_height));

@@ -13,7 +13,7 @@
 #define HIDDEN_FIELD FIELD
 #endif
 
-FIELD(Outcome, outcome, Outcome::died_out, "", growth, "how its life ended")
+FIELD(Outcome, outcome, Outcome::died_out, "", growth, "viable, or why development or locomotion ended early")
 FIELD(int, cells, 0, "cells", growth, "cells at the end of development")
 FIELD(int, largest, 0, "cells", growth, "most cells alive at once")
 FIELD(int, births, 0, "cells", growth, "cells created, the zygote included")

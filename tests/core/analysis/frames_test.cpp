@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(the_body_is_described) {
     BOOST_TEST(rows[0].setting == "water");
     BOOST_TEST(rows[0].fitness == 1.5);
     BOOST_TEST(rows[0].displacement == swimmer().life.displacement());
-    BOOST_TEST(rows[0].links == swimmer().life.springs);
+    BOOST_TEST(rows[0].springs == swimmer().life.springs);
     BOOST_TEST(rows[0].triangles == swimmer().life.triangles);
 }
 

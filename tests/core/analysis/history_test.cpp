@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(facts_are_as_computed_by_hand) {
 
     // After two generations: sizes 10 (2 times), 20 (3 times), 21 (3 times).
     const RunFacts &early = history.after.at(2);
-    BOOST_TEST(early.viable == 8);
+    BOOST_TEST(early.with_fitness == 8);
     BOOST_TEST(early.size_entropy == -(0.25 * std::log(0.25) + 2 * 0.375 * std::log(0.375)),
                tolerance(1e-12));
     BOOST_TEST(early.champion.fitness == 15);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(facts_are_as_computed_by_hand) {
     BOOST_TEST(late.valid_share == 0.8);
     BOOST_TEST(late.fitness_spread.value() == (8.5 - 5.5) / 10, tolerance(1e-12));
     BOOST_TEST(late.side_switches == 2);
-    BOOST_TEST(late.viable == 16);
+    BOOST_TEST(late.with_fitness == 16);
 }
 
 BOOST_AUTO_TEST_CASE(heredity_is_that_of_every_generation) {

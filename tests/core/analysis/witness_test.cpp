@@ -177,9 +177,9 @@ BOOST_AUTO_TEST_CASE(a_setting_is_summed_up_and_correlated_from_three_champions_
     BOOST_TEST(row.bullet_change_median.value() == 0.75);
     BOOST_TEST(row.bullet_change_largest.value() == 2);
     BOOST_TEST(row.flagged == 1);
-    BOOST_TEST(row.chaotic == 0);
-    BOOST_TEST(row.stepped == 1);
-    BOOST_TEST(row.apart == 1);
+    BOOST_TEST(row.cause_chaos == 0);
+    BOOST_TEST(row.cause_time_step == 1);
+    BOOST_TEST(row.cause_engine == 1);
     BOOST_TEST(row.height_change_largest.value() == 0);
 
     const EngineRow nobody = engine_row(spec, {});
