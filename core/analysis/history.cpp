@@ -61,7 +61,7 @@ class Headings {
     Headings(const RecordedRun &run, int generations, double direction_distance)
         : population_(run.population) {
         each_individual(run, generations, [&](const IndividualRow &row) {
-            const Vec2d moved{row.end_x - row.rest_x, row.end_y - row.rest_y};
+            const Vec2d moved{row.finish_x - row.rest_x, row.finish_y - row.rest_y};
             const double distance = length(moved),
                          lot_ = lot(static_cast<std::uint64_t>(run.seed), row.generation, row.slot);
             if (distance == 0 || distance < direction_distance || lot_ >= share_after(row.generation + 1))

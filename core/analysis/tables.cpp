@@ -229,8 +229,8 @@ std::vector<EndpointRow> endpoint_rows(const SettingRuns &setting, const Represe
     each_individual(run, setting.generations, [&](const IndividualRow &row) {
         const bool is_drawn = lot(static_cast<std::uint64_t>(run.seed), row.generation, row.slot) < share;
         if (!is_drawn || row.outcome != name_of(Outcome::viable)) return;
-        rows.push_back({setting.spec->name, run.seed, chosen.role, row.generation, row.end_x - row.rest_x,
-                        row.end_y - row.rest_y});
+        rows.push_back({setting.spec->name, run.seed, chosen.role, row.generation, row.finish_x - row.rest_x,
+                        row.finish_y - row.rest_y});
     });
     return rows;
 }

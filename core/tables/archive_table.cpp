@@ -26,7 +26,8 @@ std::vector<ArchiveEntry> read_entries(const std::filesystem::path &path, std::s
     CsvReader reader(path);
     const std::size_t columns = reader.header().size();
     if (columns < first_behaviour || reader.header() != header_for(columns - first_behaviour))
-        reader.refuse("not the header of an archive: generation, genome, fitness, novelty and a descriptor");
+        reader.refuse(
+            "not the header of an archive: generation, genome, fitness, novelty_or_gain and a descriptor");
 
     std::vector<ArchiveEntry> archive;
     while (archive.size() < most && reader.next()) {

@@ -196,8 +196,6 @@ IndividualRow individual_row(const Generation &g, int slot, int species) {
                       .fitness = evaluation.fitness,
                       .score = g.scores[slot],
                       .penalty = evaluation.penalty,
-                      .end_x = life.finish.x,
-                      .end_y = life.finish.y,
                       .links = static_cast<int>(genome.links.size()),
                       .hidden = genome.hidden()};
     fill(life, row);

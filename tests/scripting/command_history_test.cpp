@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(every_individual_that_ever_lived_is_had_again_as_it_was_rec
                                   " cells (" + to_field(row.births) + " created), moved ";
         BOOST_TEST(said.out.starts_with(first), said.out << first);
         BOOST_TEST(contains(said.out, " cells from (" + to_field(row.rest_x) + ", " + to_field(row.rest_y) +
-                                          ") to (" + to_field(row.end_x) + ", " + to_field(row.end_y) +
+                                          ") to (" + to_field(row.finish_x) + ", " + to_field(row.finish_y) +
                                           "), fitness " + to_field(row.fitness) + ", score " +
                                           to_field(row.score) + "\n"),
                    at << said.out);

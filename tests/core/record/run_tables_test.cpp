@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(every_table_is_published_under_its_header) {
     BOOST_TEST(header("species.csv.gz") == header_line<SpeciesRow>());
     BOOST_TEST(header("champions.csv") == header_line<ChampionRow>());
     BOOST_TEST(header("champion_genomes.csv.gz") == header_line<ChampionGenomeRow>());
-    BOOST_TEST(header("archive.csv.gz") == "generation,genome,fitness,novelty,x,y\n");
+    BOOST_TEST(header("archive.csv.gz") == "generation,genome,fitness,novelty_or_gain,x,y\n");
     BOOST_TEST(header("chain.csv") == header_line<ChainRow>());
 }
 

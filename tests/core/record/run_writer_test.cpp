@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(every_individual_has_its_row) {
     BOOST_TEST(row.fitness == 5);
     BOOST_TEST(row.outcome == "viable");
     BOOST_TEST(row.cells == 23);
-    BOOST_TEST(row.end_x == 3.25);
+    BOOST_TEST(row.finish_x == 3.25);
     BOOST_TEST(row.rest_y == 0.5);
     BOOST_TEST(rows[1].outcome == "died_out");
     BOOST_TEST(rows[1].penalty == 0);

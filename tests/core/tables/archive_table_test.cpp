@@ -47,18 +47,19 @@ BOOST_AUTO_TEST_CASE(no_more_entries_are_read_than_asked_for) {
 }
 
 BOOST_AUTO_TEST_CASE(two_numbers_are_x_and_y_and_others_are_counted) {
-    BOOST_TEST(archive_header(2) == "generation,genome,fitness,novelty,x,y\n");
+    BOOST_TEST(archive_header(2) == "generation,genome,fitness,novelty_or_gain,x,y\n");
     BOOST_TEST(archive_header() == archive_header(2));
-    BOOST_TEST(archive_header(1) == "generation,genome,fitness,novelty,behaviour_1\n");
+    BOOST_TEST(archive_header(1) == "generation,genome,fitness,novelty_or_gain,behaviour_1\n");
     BOOST_TEST(archive_header(3) ==
-               "generation,genome,fitness,novelty,behaviour_1,behaviour_2,behaviour_3\n");
+               "generation,genome,fitness,novelty_or_gain,behaviour_1,behaviour_2,behaviour_3\n");
     BOOST_TEST(archive_line({3, 4, {0.5, 6}, 7, 8}) == "3,4,8,7,0.5,6\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_foreign_header_is_refused) {
     const TemporaryFolder folder;
-    for (const char *header : {"generation,genome,fitness,novelty,x,z\n", "generation,genome,novelty,x,y\n",
-                               "generation,genome,fitness,novelty,behaviour_2\n"}) {
+    for (const char *header :
+         {"generation,genome,fitness,novelty_or_gain,x,z\n", "generation,genome,novelty,x,y\n",
+          "generation,genome,fitness,novelty_or_gain,behaviour_2\n"}) {
         write_file(folder / "archive.csv.gz", header);
         BOOST_TEST(contains(message_of<InputError>([&] { read_archive(folder.path()); }),
                             "archive.csv.gz:1: not the header of an archive"));

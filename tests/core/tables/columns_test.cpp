@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(headers_are_what_other_programs_expect) {
     BOOST_TEST(
         header_line<IndividualRow>() ==
         "generation,slot,genome,mother,father,origin,species,fitness,score,penalty,outcome,cells,births,"
-        "end_x,end_y,rest_x,rest_y,activity,elongation,links,hidden\n");
+        "finish_x,finish_y,rest_x,rest_y,activity,elongation,links,hidden\n");
     BOOST_TEST(header_line<ClaimRow>() ==
                "id,statement,section,paper,test,setting_a,setting_b,generation,at_generation,runs_a,runs_b,"
                "effect_name,effect,low,high,p,method,p_holm,p_equivalence,p_equivalence_holm,verdict,"
