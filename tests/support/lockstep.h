@@ -14,9 +14,9 @@ namespace planula::specimens {
 
 /// How far a step of the native engine may lead from a step of the reference engine from the same state, by rounding in
 /// single precision: the velocity of a node, in cells/t.u., and its place, in cells. Forces of springs, pressure and
-/// contact are of the order of 1000; one unit in the last place of that, over a step, is 6e-7 cells/t.u. A place 50 cells
-/// from the start is known to 4e-6 cells. A polyline holds nodes at heights that are known to 5e-7 cells or less well
-/// (laws/ground.h: slack), and a step that corrects such a height changes the velocity by 100 times that.
+/// contact are of the order of 1000; one unit in the last place of that, over a step, is 6e-7 cells/t.u. A place 50
+/// cells from the start is known to 4e-6 cells. A polyline holds nodes at heights that are known to 5e-7 cells or less
+/// well (laws/ground.h: slack), and a step that corrects such a height changes the velocity by 100 times that.
 struct Bound {
     double velocity, position;
 };

@@ -18,8 +18,8 @@ struct Spoke {
 };
 using Fan = std::vector<Spoke>;
 
-/// Counter-clockwise runs of triangles, from the lowest neighbour that starts one on; a closed fan from its
-/// lowest neighbour.
+/// Counter-clockwise runs of triangles, in ascending order of the neighbours that start them; a closed fan starts at
+/// its lowest neighbour.
 Fan in_order(Fan spokes) {
     Fan fan;
     while (!spokes.empty()) {
