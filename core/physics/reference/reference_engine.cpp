@@ -19,12 +19,12 @@ void ReferenceEngine::actuate(std::span<const double> extensions, int steps) {
 
 /// Rule B6: all forces are taken at the start of the step; semi-implicit Euler with the ground in between.
 Motion ReferenceEngine::step(double damping) {
-    rest_lengths_.advance();
+    rest_lengths_.advance(); // rule G3
     const auto forces = reference::forces_on(*model_, *environment_, rest_lengths_.now(), nodes_);
     accelerate(forces, damping);
     meet_ground();
     move();
-    return reference::motion_of(nodes_.velocities, *model_);
+    return reference::motion_of(nodes_.velocities, *model_); // rule B7
 }
 
 /// v ← (v + F Δt)(1 − s Δt), and gravity (rule L1).
