@@ -52,8 +52,8 @@ BOOST_AUTO_TEST_CASE(eq_1_adds_the_sines_of_two_cells) {
     const double second = math::sin(2 * math::pi * 225 / cells[1].period + cells[1].phase);
     BOOST_TEST(first == 1, near);
     BOOST_TEST(second == -0.5, near);
-    BOOST_TEST(actuated_length(1.5, elongation(p.water.actuation_range_aquatic, 1, first),
-                               elongation(p.water.actuation_range_aquatic, 1, second)) ==
+    BOOST_TEST(actuated_length(1.5, extension(p.water.actuation_range_aquatic, 1, first),
+                               extension(p.water.actuation_range_aquatic, 1, second)) ==
                    (1 + A * 1 + A * -0.5) * 1.5,
                near); // 1.65
 
@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(eq_2_moves_linearly_from_the_last_output_to_the_newest) {
 
 BOOST_AUTO_TEST_CASE(eq_3_averages_the_signals_of_two_cells) {
     // A = 0.3 on land, a₁ = 0.5, a₂ = −0.1: L = (1 + 0.3 · 0.2) · 2.
-    BOOST_TEST(actuated_length(2.0, elongation(Parameters{}.land.actuation_range_terrestrial, 1, 0.5),
-                               elongation(Parameters{}.land.actuation_range_terrestrial, 1, -0.1)) == 2.12,
+    BOOST_TEST(actuated_length(2.0, extension(Parameters{}.land.actuation_range_terrestrial, 1, 0.5),
+                               extension(Parameters{}.land.actuation_range_terrestrial, 1, -0.1)) == 2.12,
                near);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The finished morphology: growth's gift to physics, constant (§2.5; decisions 0006 to 0010). All
-// measures are taken from the one triangulation at the end of development, so the body is in equilibrium
-// there.
+// The finished morphology, constant: what development hands to physics (§2.5; rule B1; decisions 0006 to 0010). All
+// measures are taken from the one triangulation at the end of development, so the body is in equilibrium there.
 #pragma once
 
 #include "body/mesh.h"

@@ -19,7 +19,7 @@ std::vector<char> short_edges(const Edges &edges, std::span<const Vec2d> positio
     return result;
 }
 
-/// The links: short edges are all kept; the longer ones wait, shortest first, for ends not yet connected.
+/// The links: all short edges; then, shortest first, each longer one whose ends are not yet connected.
 std::vector<Link> links_of(const Edges &edges, std::span<const char> is_short,
                            std::span<const Vec2d> positions) {
     Components components(static_cast<int>(positions.size()));

@@ -13,19 +13,19 @@ namespace planula {
 /// Positions must be finite and pairwise different; check with has_coincident_points.
 Mesh connect(std::span<const Vec2d> positions, double limit);
 
-/// The same while cells move, sooner.
+/// The same while cells move, in less time.
 class Connection {
   public:
     explicit Connection(double limit) : limit_(limit) {}
 
     /// Of new cells.
     void start(std::span<const Vec2d> positions);
-    /// Of the same cells at new, finite places, and any number of cells more. False if it must be started
-    /// anew; then cells may coincide.
+    /// Of the same cells at new, finite places, and any number of cells more. False if start() must be called
+    /// again; then cells may coincide.
     bool follow(std::span<const Vec2d> positions);
 
     const std::vector<Link> &links() const { return links_; }
-    /// Whether links are others than before the last start() or follow().
+    /// Whether links differ from those before the last start() or follow().
     bool has_changed() const { return changed_; }
     Mesh mesh() const;
 

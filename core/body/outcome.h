@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the life of an animat ended. Not errors but results, counted in the data (§2.4, Eq. 6).
+// How the evaluation of an animat ended: results, not errors, counted in the data (§2.4, Eq. 6; rules D20, B7 and L4).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ enum class Outcome {
     too_small,     // fewer cells than Parameters::minimum_cells at the end of development
     overgrown,     // Parameters::cell_limit was reached, even once
     never_settled, // not at rest within Parameters::settle_limit
-    exploded,      // a speed beyond the guard or a number that is not finite
+    exploded,      // a speed over node_speed_limit, or a number that is not finite
 };
 
 inline constexpr std::array<const char *, 6> outcome_names{"viable",    "died_out",      "too_small",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The contract between genes and biology: which input and which output of the control network means what
-// (§2.2, 2.3, 2.6; rules N1 and N2). The two actuations share the inputs and the first four outputs.
+// What each input and each output of the control network means (§2.2, 2.3, 2.6; rules N1 and N2). The two actuations
+// share the inputs and the first four outputs.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ enum Channel {
     spring = 4, // grn only: the actuation signal s
 };
 inline constexpr int count(Actuation actuation) { return actuation == Actuation::oscillator ? 6 : 5; }
-/// What people call a channel, below count(actuation).
+/// The name of a channel, below count(actuation).
 inline const char *name_of(Actuation actuation, int channel) {
     constexpr std::array oscillator{"division inhibitor", "division angle", "apoptosis",
                                     "morphogen",          "period",         "phase"};

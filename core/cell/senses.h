@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a cell perceives (§2.2; rule N1): where it is, directly and through four maternal morphogens,
-// what its neighbours say, and how late it is. Positions are in the development frame.
+// The inputs of a cell's network (§2.2; rule N1): where it is, directly and through four maternal morphogens, the
+// morphogen outputs of its neighbours, and the time. Positions are in the development frame.
 #pragma once
 
 #include "base/vec2.h"

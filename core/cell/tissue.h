@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The control state of all cells at the end of development: what locomotion starts from (§2.6). Cells are in
+// The control state of all cells at the end of development: locomotion starts from it (§2.6). Cells are in
 // the order of the body's.
 #pragma once
 

@@ -81,8 +81,8 @@ std::uint64_t daughter_lineage(const Cell &mother) {
 bool divide(int mother, Vec2d direction, const DevelopmentParameters &p, Embryo &embryo) {
     const Vec2d place = daughter_position(embryo.cells[mother].position, direction,
                                           daughter_lineage(embryo.cells[mother]), p);
-    const double surely_clear =
-        1.001 * p.division_clearance * p.division_clearance; // most are, and no root is needed
+    // Most cells are clearly far enough away, and then no root is needed.
+    const double surely_clear = 1.001 * p.division_clearance * p.division_clearance;
     for (int i = 0; i < static_cast<int>(embryo.cells.size()); ++i) {
         const Vec2d offset = embryo.cells[i].position - place;
         if (squared_length(offset) > surely_clear) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The state of a growing embryo: disks in a plane, each with a copy of the control network's activations
-// (§2.1). Cells are in ascending order of id, and indices into `cells` are what links mean.
+// (§2.1). Cells are in ascending order of id; links hold indices into `cells`.
 #pragma once
 
 #include "body/mesh.h"
@@ -12,7 +12,7 @@
 namespace planula {
 
 struct Cell {
-    int id = 0;                // 0 is the zygote; daughters count on
+    int id = 0;                // 0: the zygote; then in the order of births
     std::uint64_t lineage = 0; // a hash of the divisions that it comes from
     int daughters = 0;
     Vec2d position, velocity;

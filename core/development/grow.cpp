@@ -44,12 +44,12 @@ Outcome decide(const Network &network, Actuation actuation, double time, const P
                Embryo &embryo) {
     if (!update_networks(network, actuation, time, parameters, embryo)) return Outcome::exploded;
 
-    // Wishes are read before anything moves; dying cells still count as neighbours, but do not divide.
-    struct Wish {
+    // Directions are found before any cell dies or divides: dying cells count as neighbours, but do not divide.
+    struct Division {
         int id;
         Vec2d direction;
     };
-    std::vector<Wish> wishes;
+    std::vector<Division> divisions;
     std::vector<char> dying;
     for (int i = 0; i < static_cast<int>(embryo.cells.size()); ++i) {
         const auto output_of = [&](output::Channel channel) {
@@ -57,15 +57,15 @@ Outcome decide(const Network &network, Actuation actuation, double time, const P
         };
         dying.push_back(output_of(output::apoptosis) > 0);
         if (!dying.back() && !(output_of(output::division_inhibitor) > 0))
-            wishes.push_back(
+            divisions.push_back(
                 {embryo.cells[i].id,
                  division_direction(embryo, i, output_of(output::division_angle), parameters.development)});
     }
     remove_cells(dying, embryo);
 
-    // Daughters are appended, so mothers keep their places.
+    // Daughters are appended, so mothers keep their indices.
     std::size_t mother = 0;
-    for (const auto &[id, direction] : wishes) {
+    for (const auto &[id, direction] : divisions) {
         if (embryo.births >= parameters.development.birth_limit) break;
         while (embryo.cells[mother].id != id) ++mother;
         divide(static_cast<int>(mother), direction, parameters.development, embryo);
@@ -81,8 +81,8 @@ bool all_finite(std::span<const Vec2d> places) {
 /// Whether the cells can be triangulated.
 bool is_sound(std::span<const Vec2d> places) { return all_finite(places) && !has_coincident_points(places); }
 
-/// The neighbourhood at the cells' present places, for which those of the last refresh must all live. Returns
-/// whether they can be triangulated.
+/// Updates the neighbourhood to the cells' present places. `all_live`: no cell has died since the last refresh. Returns
+/// whether the cells can be triangulated.
 bool refresh(bool all_live, Connection &connection, Embryo &embryo) {
     const std::vector<Vec2d> places = positions(embryo);
     if (!all_live || !all_finite(places) || !connection.follow(places)) {

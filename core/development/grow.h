@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Development: from one cell to a body (§2.1–2.4; rules D1 to D20). Every decision_interval steps each cell's
-// network decides on death and division; between decisions the cells settle as disks on springs in a viscous
-// fluid. No chance is taken, and nothing is known of the world that the body will move in.
+// network decides on death and division; between decisions the cells relax as disks on springs in a viscous
+// fluid. Development uses no random numbers and does not depend on the world that the body will move in.
 #pragma once
 
 #include "body/body.h"

@@ -10,8 +10,8 @@ namespace planula {
 
 namespace {
 
-/// What exceeds this share of squared lengths, or of their products, is no error of rounding: a few times 2^-53.
-constexpr double doubt = 1e-13;
+/// Errors of rounding are below this share of squared lengths, or of their products: a few times 2^-53.
+constexpr double rounding = 1e-13;
 
 /// The corners after and before one, counter-clockwise.
 int next(int corner) { return corner == 2 ? 0 : corner + 1; }
@@ -45,9 +45,9 @@ bool MovingDelaunay::follow(std::span<const Vec2d> points) {
     std::copy_n(points.begin(), points_.size(), points_.begin());
     shapes_.resize(faces_.size());
     for (int face = 0; face < static_cast<int>(faces_.size()); ++face) measure(face);
-    const Motion motion = straighten();
-    if (motion == Motion::lost) return false;
-    changed_ = make_delaunay() || motion == Motion::mended || points.size() > points_.size();
+    const Repair result = repair();
+    if (result == Repair::failed) return false;
+    changed_ = make_delaunay() || result == Repair::done || points.size() > points_.size();
     while (points_.size() < points.size())
         if (!insert(points[points_.size()])) return false;
     if (changed_) edges_ = edges_of(faces_, points_.size());
@@ -65,7 +65,7 @@ void MovingDelaunay::measure(int face) {
 
 /// Whether a finite face is counter-clockwise.
 bool MovingDelaunay::turns_left(int face) const {
-    return shapes_[face].cross > doubt * shapes_[face].size ||
+    return shapes_[face].cross > rounding * shapes_[face].size ||
            exact::turn(at(face, 0), at(face, 1), at(face, 2)) > 0;
 }
 
@@ -98,23 +98,23 @@ bool MovingDelaunay::exchange(const Edge &edge) {
     return true;
 }
 
-/// Exchanges edges that a corner has crossed: of a face that has turned over the longest. Says whether there were none.
-MovingDelaunay::Motion MovingDelaunay::mend_faces() {
-    Motion motion = Motion::harmless;
+/// Exchanges edges that a corner has crossed: of a face that has turned over, the longest.
+MovingDelaunay::Repair MovingDelaunay::repair_faces() {
+    Repair result = Repair::unneeded;
     for (int face = 0; face < static_cast<int>(faces_.size()); ++face) {
         if (!is_finite(faces_[face]) || turns_left(face)) continue;
         std::array<double, 3> squared;
         for (int i = 0; i < 3; ++i) squared[i] = squared_length(at(face, next(i)) - at(face, previous(i)));
         const auto longest = std::max_element(squared.begin(), squared.end()) - squared.begin();
-        if (!exchange({face, static_cast<int>(longest)})) return Motion::lost;
-        motion = Motion::mended;
+        if (!exchange({face, static_cast<int>(longest)})) return Repair::failed;
+        result = Repair::done;
     }
-    return motion;
+    return result;
 }
 
-/// Fills the corners at which the hull turns inwards. Says whether there were none; the hull must go round once.
-MovingDelaunay::Motion MovingDelaunay::mend_hull() {
-    Motion motion = Motion::harmless;
+/// Fills the corners at which the hull turns inwards. Fails if the hull does not go round once.
+MovingDelaunay::Repair MovingDelaunay::repair_hull() {
+    Repair result = Repair::unneeded;
     int eastmost = 0, face = 0;
     const auto left =
         std::count_if(faces_.begin(), faces_.end(), [](const Face &f) { return !is_finite(f); });
@@ -126,27 +126,27 @@ MovingDelaunay::Motion MovingDelaunay::mend_hull() {
         const Vec2d first = at(face, next(outside)), second = at(face, previous(outside)),
                     third = at(following, previous(index_of(Face::infinity, faces_[following].corner)));
         if (exact::turn(first, second, third) > 0) {
-            if (!exchange({face, next(outside)})) return Motion::lost;
-            motion = Motion::mended;
+            if (!exchange({face, next(outside)})) return Repair::failed;
+            result = Repair::done;
         }
         const auto is_west = [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
         eastmost += is_west(first, second) && is_west(third, second);
         face = following;
     }
-    return motion == Motion::harmless && eastmost != 1 ? Motion::lost : motion;
+    return result == Repair::unneeded && eastmost != 1 ? Repair::failed : result;
 }
 
 /// Exchanges edges until all faces are counter-clockwise inside a hull that turns nowhere inwards and goes round once:
 /// then it is a triangulation.
-MovingDelaunay::Motion MovingDelaunay::straighten() {
+MovingDelaunay::Repair MovingDelaunay::repair() {
     constexpr int attempts = 8;
     for (int i = 0; i < attempts; ++i) {
-        const Motion faces = mend_faces();
-        const Motion hull = faces == Motion::lost ? faces : mend_hull();
-        if (hull == Motion::lost) return hull;
-        if (faces == Motion::harmless && hull == Motion::harmless) return i == 0 ? hull : Motion::mended;
+        const Repair faces = repair_faces();
+        const Repair hull = faces == Repair::failed ? faces : repair_hull();
+        if (hull == Repair::failed) return hull;
+        if (faces == Repair::unneeded && hull == Repair::unneeded) return i == 0 ? hull : Repair::done;
     }
-    return Motion::lost;
+    return Repair::failed;
 }
 
 /// Whether a corner of one face beside this edge lies in the circle of the other.
@@ -158,7 +158,7 @@ bool MovingDelaunay::must_flip(const Edge &edge) const {
     const int opposite = mirrored(face, edge.corner, other);
     const Shape &one = shapes_[edge.face], &two = shapes_[face.beyond[edge.corner]];
     const double sum = one.dot[edge.corner] * two.cross + two.dot[opposite] * one.cross;
-    if (sum > doubt * one.size * two.size) return false;
+    if (sum > rounding * one.size * two.size) return false;
     return exact::in_circle(at(edge.face, 0), at(edge.face, 1), at(edge.face, 2),
                             points_[other.corner[opposite]]);
 }
@@ -166,24 +166,24 @@ bool MovingDelaunay::must_flip(const Edge &edge) const {
 /// Flips edges until none must be. Returns whether any was.
 bool MovingDelaunay::make_delaunay() {
     bool flipped = false;
-    const auto judge = [&](const Edge &edge) {
+    const auto check = [&](const Edge &edge) {
         if (!must_flip(edge)) return;
         const int other = faces_[edge.face].beyond[edge.corner];
         flip(edge);
         flipped = true;
-        // The four edges around are judged again. Those that stood for edges of these faces stand for some of them still.
+        // The four edges around are checked again. Entries for edges of these two faces are still edges of them.
         for (int i = 0; i < 3; ++i) {
-            if (faces_[edge.face].beyond[i] != other) suspects_.push_back({edge.face, i});
-            if (faces_[other].beyond[i] != edge.face) suspects_.push_back({other, i});
+            if (faces_[edge.face].beyond[i] != other) to_check_.push_back({edge.face, i});
+            if (faces_[other].beyond[i] != edge.face) to_check_.push_back({other, i});
         }
     };
     for (int face = 0; face < static_cast<int>(faces_.size()); ++face)
         for (int i = 0; i < 3; ++i)
-            if (faces_[face].beyond[i] > face) judge({face, i});
-    while (!suspects_.empty()) {
-        const Edge edge = suspects_.back();
-        suspects_.pop_back();
-        judge(edge);
+            if (faces_[face].beyond[i] > face) check({face, i});
+    while (!to_check_.empty()) {
+        const Edge edge = to_check_.back();
+        to_check_.pop_back();
+        check(edge);
     }
     return flipped;
 }
@@ -194,9 +194,9 @@ bool MovingDelaunay::insert(Vec2d point) {
     if (is_finite(faces_[face]))
         for (int i = 0; i < 3; ++i)
             if (at(face, i) == point) return false;
-    dig(face, point);
+    find_cavity(face, point);
     points_.push_back(point);
-    fill(static_cast<int>(points_.size()) - 1);
+    fill_cavity(static_cast<int>(points_.size()) - 1);
     return true;
 }
 
@@ -224,38 +224,39 @@ bool MovingDelaunay::encircles(int face, Vec2d point) const {
     return side > 0 || (side == 0 && (between(from.x, point.x, to.x) || between(from.y, point.y, to.y)));
 }
 
-/// The hole of all faces, this one among them, that encircle a point, and its rim.
-void MovingDelaunay::dig(int face, Vec2d point) {
-    in_hole_.assign(faces_.size(), 0);
-    hole_.assign(1, face), rim_.clear();
-    in_hole_[face] = 1;
-    for (std::size_t i = 0; i < hole_.size(); ++i)
+/// The cavity: all faces, this one among them, whose circles hold a point; and its rim.
+void MovingDelaunay::find_cavity(int face, Vec2d point) {
+    in_cavity_.assign(faces_.size(), 0);
+    cavity_.assign(1, face), rim_.clear();
+    in_cavity_[face] = 1;
+    for (std::size_t i = 0; i < cavity_.size(); ++i)
         for (int corner = 0; corner < 3; ++corner) {
-            const Face &inside = faces_[hole_[i]];
+            const Face &inside = faces_[cavity_[i]];
             const int outside = inside.beyond[corner];
-            if (in_hole_[outside]) continue;
+            if (in_cavity_[outside]) continue;
             if (encircles(outside, point))
-                hole_.push_back(outside), in_hole_[outside] = 1;
+                cavity_.push_back(outside), in_cavity_[outside] = 1;
             else
                 rim_.push_back({outside, mirrored(inside, corner, faces_[outside]),
                                 inside.corner[next(corner)], inside.corner[previous(corner)]});
         }
 }
 
-/// Joins a new vertex with the rim of the hole.
-void MovingDelaunay::fill(int vertex) {
+/// Joins a new vertex with the rim of the cavity.
+void MovingDelaunay::fill_cavity(int vertex) {
     face_from_.resize(points_.size() + 1), face_to_.resize(points_.size() + 1);
-    hole_.push_back(static_cast<int>(faces_.size())), hole_.push_back(static_cast<int>(faces_.size()) + 1);
+    cavity_.push_back(static_cast<int>(faces_.size())),
+        cavity_.push_back(static_cast<int>(faces_.size()) + 1);
     faces_.resize(faces_.size() + 2);
-    CHECK(hole_.size() == rim_.size(), hole_.size(), rim_.size());
+    CHECK(cavity_.size() == rim_.size(), cavity_.size(), rim_.size());
     for (std::size_t i = 0; i < rim_.size(); ++i)
-        face_from_[rim_[i].from + 1] = face_to_[rim_[i].to + 1] = hole_[i];
+        face_from_[rim_[i].from + 1] = face_to_[rim_[i].to + 1] = cavity_[i];
     for (std::size_t i = 0; i < rim_.size(); ++i) {
         const auto &[outside, corner, from, to] = rim_[i];
-        faces_[hole_[i]] = {{vertex, from, to}, {outside, face_from_[to + 1], face_to_[from + 1]}};
-        faces_[outside].beyond[corner] = hole_[i];
+        faces_[cavity_[i]] = {{vertex, from, to}, {outside, face_from_[to + 1], face_to_[from + 1]}};
+        faces_[outside].beyond[corner] = cavity_[i];
     }
-    latest_ = hole_[0];
+    latest_ = cavity_[0];
 }
 
 } // namespace planula

@@ -11,9 +11,9 @@
 
 namespace planula {
 
-/// The cell morphogen is live. X, Y and the maternal morphogens are those of the cell's place at the end of
-/// development, or of its present one (gait_place); time stays 1, or goes on rising (gait_time). A present place is
-/// that of the knot before, in the development frame moved to where the body rests.
+/// The cell morphogen is that of the neighbours at the update before. X, Y and the maternal morphogens are those of the
+/// cell's place at the end of development, or of its present one (gait_place); time stays 1, or goes on rising
+/// (gait_time). A present place is that of the knot before, in the development frame moved to where the body rests.
 class GrnMuscles : public Gait {
   public:
     GrnMuscles(const Network &network, const Body &body, const Tissue &tissue, const Parameters &parameters);

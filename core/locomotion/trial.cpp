@@ -28,7 +28,7 @@ class Muscles {
   public:
     Muscles(const GaitParameters &parameters, double range, int cells, Gait &gait, const Engine &engine)
         : parameters_(parameters), range_(range), gait_(gait), from_(cells), to_(cells), now_(cells),
-          elongations_(cells), changes_(cells) {
+          extensions_(cells), changes_(cells) {
         read(0, engine);
     }
 
@@ -38,10 +38,10 @@ class Muscles {
         read(t, engine);
         const double share = ramp(t, parameters_);
         for (std::size_t i = 0; i < to_.size(); ++i) {
-            elongations_[i] = elongation(range_, share, to_[i]);
+            extensions_[i] = extension(range_, share, to_[i]);
             changes_[i] += std::abs(to_[i] - from_[i]);
         }
-        engine.actuate(elongations_, steps);
+        engine.actuate(extensions_, steps);
     }
     /// By how much all signals have changed from knot to knot so far.
     double change() const { return std::accumulate(changes_.begin(), changes_.end(), 0.0); }
@@ -60,7 +60,7 @@ class Muscles {
     const GaitParameters &parameters_;
     double range_;
     Gait &gait_;
-    std::vector<double> from_, to_, now_, elongations_, changes_; // per cell
+    std::vector<double> from_, to_, now_, extensions_, changes_; // per cell
 };
 
 } // namespace

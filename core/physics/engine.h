@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The physics seam: an engine moves one soft body through its world, step by step.
+// The interface of the physics engines: an engine moves one soft body through its world, step by step.
 #pragma once
 
 #include "physics/environment.h"
@@ -12,7 +12,7 @@
 
 namespace planula {
 
-/// What a step came to.
+/// What a step came to (rule B7).
 struct Motion {
     double fastest = 0;    // largest node speed after the step, cells/t.u.
     bool exploded = false; // a node beyond node_speed_limit, or a number that is not finite
@@ -24,10 +24,10 @@ class Engine {
 
     /// Takes the body at rest, muscles off. Model and environment must outlive the engine's use of them.
     virtual void load(const SoftBodyModel &model, const Environment &environment) = 0;
-    /// Muscles: over the next `steps` steps, >= 1, each node's elongation goes linearly to this one, reached
-    /// at the last, and stays there; at first all are 0. They give the springs their rest lengths
-    /// (laws/spring.h: actuated_length).
-    virtual void actuate(std::span<const double> elongations, int steps) = 0;
+    /// Muscles: over the next `steps` steps, >= 1, the rest length of each spring goes linearly to the one that these
+    /// extensions of its two nodes give (laws/spring.h: actuated_length). It is reached at the last of these steps and
+    /// stays there. At first all extensions are 0.
+    virtual void actuate(std::span<const double> extensions, int steps) = 0;
     /// One physics step, with an extra damping of all motion (1/t.u.).
     virtual Motion step(double damping) = 0;
     /// Node positions and velocities, world frame.
@@ -35,7 +35,7 @@ class Engine {
     virtual std::vector<Vec2d> velocities() const = 0;
 };
 
-/// The names that make_engine knows: "native", "bullet".
+/// The names that make_engine knows: "native", "reference", "bullet".
 std::span<const std::string_view> engine_names();
 /// Throws InputError with the nearest name if there is no such engine.
 std::unique_ptr<Engine> make_engine(std::string_view name);

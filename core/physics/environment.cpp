@@ -12,7 +12,7 @@ namespace planula {
 
 namespace {
 
-constexpr double farthest_ground = 1e9; // where doubles still tell 1e-7 cells apart
+constexpr double farthest_ground = 1e9; // where doubles are still 1e-7 cells apart
 
 void require(bool holds, const std::string &rule, double value) {
     if (!holds) throw InputError("environment: " + rule + ", not " + to_text(value));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The world that a soft body lives in, as a statement: gravity, ground, friction, fluid drag and flow, in any
-// combination (§2.5). The paper's two worlds are rows of experiments/paper/environments.lua.
+// The world that a soft body moves in, as an experiment states it: gravity, ground, friction, fluid drag and flow, in
+// any combination (§2.5). The paper's two worlds are rows of experiments/paper/environments.lua.
 #pragma once
 
 #include "base/vec2.h"

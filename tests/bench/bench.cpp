@@ -2,7 +2,7 @@
 // How long the parts of an evaluation take on this machine (`make bench`): a physics step by engine, world and size,
 // the native step by width of lanes, a network update, an embryo, a query of novelty, a whole life. Time per iteration
 // is time per step, update, embryo, query or life; processor time, so that other programs disturb it less. The last
-// lines say how many of Bullet's steps a native step is worth, from the same run.
+// lines say how many native steps take as long as one of the reference engine and one of Bullet, from the same run.
 //
 //   bench [FILE.csv] [options of Google Benchmark]   FILE.csv: measure, value, unit
 //   bench --machine                                  what the CSV of this machine is called: processor and lanes
@@ -128,15 +128,17 @@ class Reporter : public benchmark::ConsoleReporter {
     std::vector<std::pair<std::string, double>> times;
 };
 
-/// How many native steps take as long as one of Bullet's, by world and size.
+/// How many native steps take as long as one of another engine, by world and size.
 std::vector<std::pair<std::string, double>> ratios(const Reporter &reporter) {
     std::vector<std::pair<std::string, double>> result;
     for (const World &world : worlds)
         for (const Size size : sizes) {
             const double native = reporter.time_of(step_name("native", world, size));
-            const double bullet = reporter.time_of(step_name("bullet", world, size));
-            if (native > 0 && bullet > 0)
-                result.emplace_back(step_name("bullet:native", world, size), bullet / native);
+            for (const std::string other : {"reference", "bullet"}) {
+                const double time = reporter.time_of(step_name(other, world, size));
+                if (native > 0 && time > 0)
+                    result.emplace_back(step_name(other + ":native", world, size), time / native);
+            }
         }
     return result;
 }

@@ -40,7 +40,7 @@ inline Conditions conditions(Actuation actuation, const World &world) {
     return result;
 }
 
-/// Elongations of a wave along the body at the knots of ten of its periods.
+/// Extensions of a wave along the body at the knots of ten of its periods.
 inline std::vector<std::vector<double>> wave(const SoftBodyModel &model) {
     std::vector<std::vector<double>> knots(100);
     for (std::size_t knot = 0; knot < knots.size(); ++knot)

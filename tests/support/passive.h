@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that nobody moves: grown by chance and set on the ground, do they come to rest?
+// Bodies without actuation, grown from random genomes and set on the ground: do they come to rest?
 #pragma once
 
 #include "development/grow.h"
@@ -18,7 +18,7 @@ struct Rest {
     bool moving;
 };
 
-/// The body of random genome `number`, dropped on the ground of the paper; none if it does not grow one.
+/// The body of random genome `number`, dropped on the ground of the paper; nothing if it does not grow one.
 inline std::optional<Rest> drop(Actuation actuation, std::uint64_t number, int limit) {
     Parameters p;
     const Network network = express(random_genome(actuation, number), p.network.propagation_limit);

@@ -37,7 +37,7 @@ inline void wire(Genome &genome, input::Channel from, output::Channel to, double
     add_link(genome, from, genome.inputs + static_cast<int>(to), weight);
 }
 
-/// The reading under which these genomes grow what they are called: mother and daughter turn, by up to half a turn.
+/// The reading under which these genomes grow what their names say: mother and daughter turn, by up to half a turn.
 inline Parameters turning(Parameters parameters = {}) {
     parameters.development.division_turn = DivisionTurn::both;
     parameters.development.orientation_frame = OrientationFrame::plane;

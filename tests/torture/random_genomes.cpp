@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// random_genomes COUNT: so many lives of hostile genomes, each genome in both worlds, half of them with each
-// actuation. Prints how they ended and each life that is not finite; exits 1 if there is one.
+// random_genomes COUNT: simulates so many hostile genomes, each in both worlds, half of them with each actuation.
+// Prints how they ended and each result that is not finite; exits 1 if there is one.
 #include "base/parallel.h"
 #include "base/text.h"
 #include "support/hostile.h"

@@ -2,13 +2,11 @@
 #include "physics/bullet/bullet_engine.h"
 
 #include "base/check.h"
-#include "physics/forces.h"
-#include "physics/laws/spring.h"
+#include "physics/reference/reference_engine.h"
 
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace planula {
 
@@ -16,8 +14,8 @@ namespace {
 
 static_assert(sizeof(btScalar) == sizeof(double), "Bullet must be built in double precision");
 
-constexpr double node_radius =
-    0.05; // of the spheres; the ground lies as much deeper, so nodes touch as points
+// Of the spheres. The ground lies as much deeper, so nodes touch as points.
+constexpr double node_radius = 0.05;
 constexpr int nodes_group = 1, ground_group = 2;
 
 btVector3 to_bullet(Vec2d v) { return {v.x, v.y, 0}; }
@@ -30,51 +28,27 @@ class BulletEngine::World {
   public:
     World(const SoftBodyModel &model, const Environment &environment)
         : model_(model), environment_(environment), dispatcher_(&configuration_),
-          world_(&dispatcher_, &broadphase_, &solver_, &configuration_), sphere_(node_radius) {
+          world_(&dispatcher_, &broadphase_, &solver_, &configuration_), sphere_(node_radius),
+          rest_lengths_(model) {
         world_.setGravity(to_bullet({0, -environment.gravity}));
         if (environment.has_ground) add_ground();
         for (const Vec2d position : model.positions) add_node(position);
-        forces_.load(model, environment);
-        lengths_ = next_lengths_ = model.rest_lengths;
-        changes_.resize(lengths_.size());
     }
     ~World() {
         for (const auto &body : nodes_) world_.removeRigidBody(body.get());
         for (const auto &body : grounds_) world_.removeRigidBody(body.get());
     }
 
-    void actuate(std::span<const double> elongations, int steps) {
-        lengths_ = next_lengths_;
-        for (std::size_t i = 0; i < model_.links.size(); ++i) {
-            const auto [a, b] = model_.links[i];
-            next_lengths_[i] = actuated_length(model_.rest_lengths[i], elongations[a], elongations[b]);
-            changes_[i] = (next_lengths_[i] - lengths_[i]) / steps;
-        }
-        steps_to_knot_ = steps;
-    }
+    void actuate(std::span<const double> extensions, int steps) { rest_lengths_.actuate(extensions, steps); }
 
     Motion step(double damping) {
-        // Rest lengths change linearly between knots.
-        if (steps_to_knot_ > 0) {
-            --steps_to_knot_;
-            for (std::size_t i = 0; i < lengths_.size(); ++i)
-                lengths_[i] = next_lengths_[i] - steps_to_knot_ * changes_[i];
-        }
-
-        const std::vector<Vec2d> x = positions(), v = velocities();
-        std::vector<Vec2d> forces(x.size());
-        forces_.compute(lengths_, x, v, forces);
+        rest_lengths_.advance();
+        const reference::Nodes nodes{positions(), velocities()};
+        const auto forces = reference::forces_on(model_, environment_, rest_lengths_.now(), nodes);
         for (std::size_t i = 0; i < nodes_.size(); ++i)
-            nodes_[i]->applyCentralForce(to_bullet(forces[i] - v[i] * damping));
+            nodes_[i]->applyCentralForce(to_bullet(forces[i] - nodes.velocities[i] * damping));
         world_.stepSimulation(model_.time_step, 0);
-
-        Motion motion;
-        for (const Vec2d velocity : velocities()) {
-            const double speed = length(velocity);
-            motion.exploded |= !(speed * model_.time_step <= model_.body.node_speed_limit);
-            motion.fastest = std::max(motion.fastest, speed);
-        }
-        return motion;
+        return reference::motion_of(velocities(), model_);
     }
 
     std::vector<Vec2d> positions() const {
@@ -146,9 +120,7 @@ class BulletEngine::World {
     btSphereShape sphere_;
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> grounds_, nodes_;
-    Forces<double> forces_;
-    std::vector<double> lengths_, next_lengths_, changes_; // per link: now, at the coming knot, in a step
-    int steps_to_knot_ = 0;
+    reference::RestLengths rest_lengths_;
 };
 
 BulletEngine::BulletEngine() = default;
@@ -159,9 +131,9 @@ void BulletEngine::load(const SoftBodyModel &model, const Environment &environme
     world_ = std::make_unique<World>(model, environment);
 }
 
-void BulletEngine::actuate(std::span<const double> elongations, int steps) {
+void BulletEngine::actuate(std::span<const double> extensions, int steps) {
     CHECK(world_ != nullptr);
-    world_->actuate(elongations, steps);
+    world_->actuate(extensions, steps);
 }
 
 Motion BulletEngine::step(double damping) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The independent witness: the same soft body in the Bullet Physics Library, as the paper did it (§2.5).
+// An independent check: the same soft body in the Bullet Physics Library, as the paper did it (§2.5).
 // Nodes are rigid spheres of mass 1 confined to the plane, moved by Bullet's own integrator, ground contact
-// and friction; the forces between them are planula's laws in double precision. Repeats bit for bit on one
+// and friction; the forces between them are those of the reference engine. It repeats bit for bit on one
 // machine; Bullet is not built under the compiler contract, so it stays out of signatures.
 #pragma once
 
@@ -17,7 +17,7 @@ class BulletEngine : public Engine {
     ~BulletEngine() override;
 
     void load(const SoftBodyModel &model, const Environment &environment) override;
-    void actuate(std::span<const double> elongations, int steps) override;
+    void actuate(std::span<const double> extensions, int steps) override;
     Motion step(double damping) override;
     std::vector<Vec2d> positions() const override;
     std::vector<Vec2d> velocities() const override;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Self-collision (§2.5; decision 0007): a cell and a link push each other apart by a potential of the
-// distance between them.
+// Self-collision: a cell and a link push each other apart by a potential of the distance between them (§2.5; rule B5;
+// decision 0007).
 #pragma once
 
 #include "base/vec2.h"
@@ -24,12 +24,23 @@ template <class T> Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
 }
 
 /// The force on a cell at `from_foot` from the nearest point of a link: −∇U of U = stiffness/2·(radius − d)² for
-/// d = |from_foot| < radius, nothing elsewhere nor at d = 0. U is continuous everywhere, so that whatever path a
-/// cell takes, what contact gives it contact has taken.
+/// d = |from_foot| < radius, and 0 elsewhere and at d = 0. U is continuous everywhere, so contact gives back no more
+/// energy than it took, whatever path a cell takes.
 template <class T> Vec2<T> contact_force(Vec2<T> from_foot, T stiffness, T radius) {
     const T d = length(from_foot);
     if (d == 0 || !(d < radius)) return {};
     return from_foot * (stiffness * (radius - d) / d);
+}
+
+/// The forces of a contact on the cell and on the link's ends a and b.
+template <class T> struct ContactForces { Vec2<T> on_cell, on_a, on_b; };
+
+/// Those between a cell and the link from a to b; the link takes the opposite force by the lever of the foot.
+template <class T>
+ContactForces<T> contact_forces(Vec2<T> cell, Vec2<T> a, Vec2<T> b, T stiffness, T radius) {
+    const auto foot = foot_on_segment(cell, a, b);
+    const Vec2<T> force = contact_force(cell - foot.point, stiffness, radius);
+    return {force, -force * (1 - foot.t), -force * foot.t};
 }
 
 } // namespace planula

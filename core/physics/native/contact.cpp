@@ -9,13 +9,15 @@ namespace planula::native {
 
 namespace {
 
-constexpr float skin = 0.8f;    // so much farther than the law reaches pairs are listed; any gives the same
+constexpr float skin =
+    0.8f; // how much farther than the law reaches pairs are listed; any gives the same forces
 constexpr float margin = 1e-3f; // far above what rounding does to distances, and to motion in a step
 
 } // namespace
 
 void Contact::load(const Layout &layout, const Kernel &kernel) {
     layout_ = &layout, kernel_ = &kernel;
+    stiffness_ = static_cast<float>(layout.model.body.contact_stiffness);
     reach_ = static_cast<float>(layout.model.body.contact_radius);
     clearance_ = 0, listed_at_.clear(), touches_.clear();
     cells_.clear();
@@ -25,7 +27,7 @@ void Contact::load(const Layout &layout, const Kernel &kernel) {
     find_unmasked();
 }
 
-std::span<const Touch<float>> Contact::touches(const Record *now, float moved) {
+std::span<const Touch> Contact::touches(const Record *now, float moved) {
     // Without cells, or while no pair can have come into reach.
     if (cells_.empty()) return {};
     const float against = 2 * moved + margin;
@@ -46,7 +48,6 @@ void Contact::find_unmasked() {
             if (!model.is_masked(cell, link))
                 unmasked_[cell * words + link / word_size] |= Word(1) << link % word_size, ++unmasked;
     pairs_.resize((unmasked + group_size - 1) / group_size), near_.resize(pairs_.size());
-    links_.resize(pairs_.size() * group_size);
 }
 
 bool Contact::list_is_stale(const Record *now) {
@@ -72,18 +73,26 @@ void Contact::make_list(const Record *now) {
     for (std::size_t i = 0; i < cells_.size(); ++i)
         for (unsigned word = 0; word < words; ++word)
             for (Word bits = inside_[i * words + word] & unmasked_[i * words + word]; bits != 0;
-                 bits &= bits - 1)
-                set_pair(count++, cells_[i], word * word_size + std::countr_zero(bits));
+                 bits &= bits - 1) {
+                const unsigned link = word * word_size + std::countr_zero(bits), lane = link % group_size;
+                const OutlineGroup &outline = layout_->outline[link / group_size];
+                set_pair(count++, cells_[i], outline.a[lane], outline.b[lane]);
+            }
     listed_ = count;
-    for (; count % group_size != 0; ++count) set_pair(count, pairs_[0].cell[0], links_[0]);
+    for (; count % group_size != 0; ++count)
+        set_pair(count, pairs_[0].cell[0], pairs_[0].a[0], pairs_[0].b[0]);
 }
 
-void Contact::set_pair(unsigned pair, Place cell, unsigned link) {
+void Contact::set_pair(unsigned pair, Place cell, Place a, Place b) {
     PairGroup &group = pairs_[pair / group_size];
-    const unsigned lane = pair % group_size, link_lane = link % group_size;
-    const OutlineGroup &outline = layout_->outline[link / group_size];
-    group.cell[lane] = cell, group.a[lane] = outline.a[link_lane], group.b[lane] = outline.b[link_lane];
-    links_[pair] = link;
+    const unsigned lane = pair % group_size;
+    group.cell[lane] = cell, group.a[lane] = a, group.b[lane] = b;
+}
+
+Touch Contact::touch(const Record *now, const PairGroup &group, unsigned lane) const {
+    const int cell = node_at(group.cell[lane]), a = node_at(group.a[lane]), b = node_at(group.b[lane]);
+    const auto at = [&](int node) { return Vec2f{now[node].x, now[node].y}; };
+    return {cell, a, b, contact_forces(at(cell), at(a), at(b), stiffness_, reach_)};
 }
 
 void Contact::measure(const Record *now) {
@@ -95,9 +104,7 @@ void Contact::measure(const Record *now) {
             for (unsigned bits = near_[group]; bits != 0; bits &= bits - 1) {
                 const unsigned lane = std::countr_zero(bits), pair = group * group_size + lane;
                 if (pair >= listed_) break;
-                const int cell = static_cast<int>(pairs_[group].cell[lane] / 4);
-                touches_.push_back(
-                    touch_of<float>(layout_->model, cell, static_cast<int>(links_[pair]), {&now->x, 4}));
+                touches_.push_back(touch(now, pairs_[group], lane));
             }
     // Pairs that are not listed were farther apart than reach and skin.
     clearance_ = std::min(std::sqrt(least) - reach_, skin - moved_) - margin;

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Self-collision in the native engine: measures several pairs of cell and link at once and leaves the law to
-// touch_of. Pairs that may meet soon are kept in a list (Verlet) that is made again when nodes have moved against
-// each other by more than its skin; and while they have moved too little for any listed pair to come into reach,
-// nothing is looked at: how far they can have moved is summed from step to step. The touches are those of a
-// search over all pairs, to the bit.
+// Self-collision in the native engine: measures several pairs of cell and link at once, and takes the force of the few
+// that touch from the law (laws/contact.h). Pairs that may meet soon are kept in a list (Verlet) that is made again
+// when nodes have moved against each other by more than its skin. While they have moved too little for any listed pair
+// to come into reach, no pair is measured: how far they can have moved is summed from step to step. The touches are
+// those of a search over all pairs, to the bit.
 #pragma once
 
+#include "physics/laws/contact.h"
 #include "physics/native/kernel.h"
-#include "physics/self_contact.h"
 
 #include <span>
 #include <vector>
 
 namespace planula::native {
+
+/// A contact cell that an outline link with the ends a and b pushes.
+struct Touch {
+    int cell, a, b;
+    ContactForces<float> forces;
+};
 
 class Contact {
   public:
@@ -20,18 +26,19 @@ class Contact {
     void load(const Layout &layout, const Kernel &kernel);
     /// The touches of this state, in the order of contact cells; valid until the next call. `moved`: how far a
     /// node has moved since the last call, at most but for rounding.
-    std::span<const Touch<float>> touches(const Record *now, float moved);
+    std::span<const Touch> touches(const Record *now, float moved);
 
   private:
     void find_unmasked();
     bool list_is_stale(const Record *now);
     void make_list(const Record *now);
-    void set_pair(unsigned pair, Place cell, unsigned link);
+    void set_pair(unsigned pair, Place cell, Place a, Place b);
     void measure(const Record *now);
+    Touch touch(const Record *now, const PairGroup &group, unsigned lane) const;
 
     const Layout *layout_ = nullptr;
     const Kernel *kernel_ = nullptr;
-    float reach_ = 0;     // of the law
+    float stiffness_ = 0, reach_ = 0; // of the law
     float clearance_ = 0; // how far nodes may move against each other until the first pair could touch,
     float moved_ = 0;     // and how far they have at most since the list was made,
     std::vector<Record> listed_at_; // when the groups that hold outline were here
@@ -41,9 +48,8 @@ class Contact {
 
     unsigned listed_ = 0;             // pairs: cells ascending, the links of each ascending
     std::vector<PairGroup> pairs_;    // with room for all; the last group is filled up with the first pair
-    std::vector<unsigned> links_;     // of the pairs
     std::vector<unsigned char> near_; // per group, the pairs that touch
-    std::vector<Touch<float>> touches_;
+    std::vector<Touch> touches_;
 };
 
 } // namespace planula::native

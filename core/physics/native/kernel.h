@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The native engine's inner loops, one text (kernel_text.h) built for several instruction sets, of which one is
-// taken at run time (base/lane_sets.h).
+// chosen at run time (base/lane_sets.h).
 #pragma once
 
 #include "base/lane_sets.h"
-#include "physics/native/ground.h"
+#include "physics/laws/ground.h"
 #include "physics/native/layout.h"
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct StepTask {
     float knot_steps;               // since the last knot, this one included
     float stiffness, damping;       // of springs
     float time_step, slowing, fall; // v ← (v + F·time_step)·slowing, v_y ← v_y − fall
-    const Piece *ground;            // left to right
+    const Piece<float> *ground;     // left to right
     int pieces;                     // 0: no ground, 1: level
     int *below;                     // per node, the piece below it when last looked for
     float friction;
@@ -34,7 +34,7 @@ struct StepResult {
     bool beyond = false;     // some node is beyond the limit, or not finite
 };
 
-/// The fluid's pull on the outline.
+/// The drag of the fluid on the outline.
 struct DragTask {
     const OutlineGroup *outline;
     int group_count;
@@ -48,8 +48,8 @@ struct Force {
     float x, y, unused[2];
 };
 
-/// What a node's muscles lengthen, in an array of records: the first number counts.
-struct Elongation {
+/// A node's extension by its muscles, in an array of records: the first number counts.
+struct Extension {
     float own[4];
 };
 
@@ -57,7 +57,7 @@ struct Elongation {
 struct KnotTask {
     const GroupPair *pairs;
     int pair_count;
-    const Elongation *elongation; // per node, at the next knot
+    const Extension *extension; // per node, at the next knot
     float steps;
 };
 

@@ -8,6 +8,7 @@
 #include "base/lanes.h"
 #include "physics/laws/contact.h"
 #include "physics/laws/drag.h"
+#include "physics/laws/ground.h"
 #include "physics/laws/pressure.h"
 #include "physics/laws/spring.h"
 #include "physics/native/kernel.h"
@@ -71,13 +72,13 @@ Vec2<T> add_fan(const StepTask &task, const GroupPair &pair, int lane, const Rec
     return force;
 }
 
-/// A ground of several pieces as its rules see it.
+/// A ground of several pieces as its laws read it.
 struct GroundLine {
-    const Piece *pieces;
+    const Piece<float> *pieces;
     int count;
 
     int size() const { return count; }
-    const Piece &operator[](int i) const { return pieces[i]; }
+    const Piece<float> &operator[](int i) const { return pieces[i]; }
 };
 
 /// The velocity after contact with level ground.
@@ -135,7 +136,7 @@ template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const 
     T fastest(0);
     auto within = fastest <= limit;
     const auto finish = [&](const Forced<T> &forced) {
-        // The guard (rule B7); numbers that are not are within no limit.
+        // The guard (rule B7); NaN counts as over the limit.
         const T squared = squared_length(advance(task, forced, next));
         within = within & (squared <= limit);
         fastest = max(fastest, squared);
@@ -191,11 +192,11 @@ template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *
     for (int first = 0; first < task.pair_count * pair_size; first += T::width) {
         const GroupPair &pair = task.pairs[first / pair_size];
         const int lane = first % pair_size;
-        const T own = load_fields<T>([&](int j) { return task.elongation[first + j].own; }).a;
+        const T own = load_fields<T>([&](int j) { return task.extension[first + j].own; }).a;
         Slot *slot = slots + pair.first_slot;
         for (Slot *const end = slot + slots_of<T>(pair, lane); slot != end; ++slot) {
             const T other =
-                load_fields<T>([&](int j) { return task.elongation->own + slot->neighbour[lane + j]; }).a;
+                load_fields<T>([&](int j) { return task.extension->own + slot->neighbour[lane + j]; }).a;
             const T from = load<T>(slot->next_pull + lane);
             const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
             store(from, slot->pull + lane);

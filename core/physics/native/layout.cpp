@@ -18,8 +18,8 @@ struct Spoke {
 };
 using Fan = std::vector<Spoke>;
 
-/// Counter-clockwise runs of triangles, from the lowest neighbour that starts one on; a closed fan from its
-/// lowest neighbour.
+/// Counter-clockwise runs of triangles, in ascending order of the neighbours that start them; a closed fan starts at
+/// its lowest neighbour.
 Fan in_order(Fan spokes) {
     Fan fan;
     while (!spokes.empty()) {
@@ -78,7 +78,7 @@ SoftBodyModel renumbered(const SoftBodyModel &model, const std::vector<int> &nod
     return result;
 }
 
-/// The order of nodes, twins included.
+/// The order of nodes, copies included.
 void order_nodes(const SoftBodyModel &model, const std::vector<Fan> &fan, Layout &layout) {
     std::vector<char> on_outline(fan.size());
     for (const OutlineLink &link : model.outline) on_outline[link.a] = on_outline[link.b] = 1;
@@ -95,7 +95,7 @@ void order_nodes(const SoftBodyModel &model, const std::vector<Fan> &fan, Layout
     while (layout.cell_of.size() % pair_size != 0) layout.cell_of.push_back(layout.cell_of.back());
 }
 
-/// The links that meet in each node of the outline; twins have those of their node.
+/// The links that meet in each node of the outline; copies have those of their node.
 void add_links(const std::vector<int> &node_of, Layout &layout) {
     std::vector<std::vector<Place>> links(static_cast<std::size_t>(layout.nodes));
     for (std::size_t i = 0; i < layout.model.outline.size(); ++i)

@@ -24,6 +24,7 @@ struct Record {
 /// Where a node's record begins in an array of them, in floats.
 using Place = unsigned;
 inline Place place_of(int node) { return static_cast<Place>(4 * node); }
+inline int node_at(Place place) { return static_cast<int>(place / 4); }
 
 /// One neighbour of each node of two groups, the spring to it, and the triangle between the neighbour before and
 /// this one. Where a node has no such neighbour it is its own, with constants 0: its force is exactly 0.
@@ -53,12 +54,12 @@ struct LinkGroup {
     Place link[group_size];
 };
 
-/// After the body's nodes, up to the next multiple of 16, follow twins of the last one. They fill its group, and if need be
-/// the other of its pair, which wide lanes move too; all that acts on the last node acts on them.
+/// After the body's nodes, up to the next multiple of 16, follow copies of the last one. They fill its group, and if
+/// need be the other of its pair, which wide lanes move too; all that acts on the last node acts on them.
 struct Layout {
     int nodes = 0;            // of the body
     int groups = 0;           // that hold some of them
-    std::vector<int> cell_of; // each node's number in the model; also of twins
+    std::vector<int> cell_of; // each node's number in the model; also of copies
     int first_outline_node = 0;
     std::vector<GroupPair> pairs;
     std::vector<Slot> slots;
@@ -66,16 +67,17 @@ struct Layout {
     // The links at each node of the groups from outline_group() on, ascending: as many as the most that a node has.
     int links_per_node = 0;
     std::vector<LinkGroup> links_at;
-    SoftBodyModel model; // with the nodes' numbers in its outline and contact cells, and no more
+    SoftBodyModel
+        model; // outline, contact cells with masks, by the nodes' numbers, and the numbers of the laws; no more
 
-    /// The first group that holds nodes of the outline (there is none without an outline), and how many there are from it
-    /// on, those of twins included.
+    /// The first group that holds nodes of the outline (there is none without an outline), and how many there are from
+    /// it on, those of copies included.
     int outline_group() const { return first_outline_node / group_size; }
     int outline_groups() const { return static_cast<int>(cell_of.size()) / group_size - outline_group(); }
 };
 
-/// Inner nodes come first, by number of neighbours, and those of the outline after them, the other way round: groups side
-/// by side need much the same.
+/// Inner nodes come first, by ascending number of neighbours, and those of the outline after them, by descending
+/// number: groups side by side need about the same number of slots.
 Layout lay_out(const SoftBodyModel &model);
 
 } // namespace planula::native

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "physics/native/native_engine.h"
 
-#include "body/body.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,21 +10,13 @@ namespace {
 
 Vec2f to_float(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-/// A point near the body, on the ground if there is one: floats are finest there. It lies whole cells to the side, so
-/// that rounding of the centre of mass moves nothing.
-Vec2d origin_for(const SoftBodyModel &model, const Environment &environment) {
-    const Vec2d centre = centre_of_mass(model.positions);
-    const double x = std::round(centre.x);
-    return {x, environment.has_ground ? ground_height(environment, x) : std::round(centre.y)};
-}
-
 } // namespace
 
 void NativeEngine::load(const SoftBodyModel &model, const Environment &environment) {
     body_ = native::lay_out(model);
     contact_.load(body_, kernel_);
     origin_ = origin_for(model, environment);
-    ground_ = native::lay_ground(environment, origin_);
+    ground_ = lay_ground<float>(environment, origin_);
 
     // At rest, muscles off.
     now_.clear();
@@ -36,7 +26,7 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     }
     next_ = now_;
     below_.assign(now_.size(), 0);
-    elongation_.assign(now_.size(), {});
+    extension_.assign(now_.size(), {});
     push_x_.assign(now_.size(), 0), push_y_.assign(now_.size(), 0);
     half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
     touched_ = false, moved_ = 0;
@@ -44,7 +34,7 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     set_tasks(model, environment);
 }
 
-/// The numbers of the laws, and where the kernel finds what it works on.
+/// The numbers of the laws, and the arrays that the kernel works on.
 void NativeEngine::set_tasks(const SoftBodyModel &model, const Environment &environment) {
     const BodyParameters &p = model.body;
     const auto dt = static_cast<float>(model.time_step);
@@ -76,17 +66,17 @@ void NativeEngine::set_tasks(const SoftBodyModel &model, const Environment &envi
              flow.y};
 }
 
-void NativeEngine::actuate(std::span<const double> elongations, int steps) {
+void NativeEngine::actuate(std::span<const double> extensions, int steps) {
     bool moves = false;
-    for (std::size_t i = 0; i < elongation_.size(); ++i) {
-        const auto next = static_cast<float>(elongations[body_.cell_of[i]]);
-        moves = moves || next != elongation_[i].own[0];
-        elongation_[i].own[0] = next;
+    for (std::size_t i = 0; i < extension_.size(); ++i) {
+        const auto next = static_cast<float>(extensions[body_.cell_of[i]]);
+        moves = moves || next != extension_[i].own[0];
+        extension_[i].own[0] = next;
     }
-    // Muscles that held still to the last knot too have told the slots already.
+    // The slots are up to date if the muscles did not move on the way to the last knot either.
     if (moves || muscles_move_) {
         const auto pairs = static_cast<int>(body_.pairs.size());
-        kernel_.reach_knot({task_.pairs, pairs, elongation_.data(), static_cast<float>(steps)},
+        kernel_.reach_knot({task_.pairs, pairs, extension_.data(), static_cast<float>(steps)},
                            body_.slots.data());
     }
     muscles_move_ = moves;
@@ -118,11 +108,11 @@ void NativeEngine::push_outline() {
     if (!touched_) return;
 
     const auto push = [&](int node, Vec2f force) { push_x_[node] += force.x, push_y_[node] += force.y; };
-    for (const auto &[cell, a, b, on_cell, on_a, on_b] : touches)
-        push(cell, on_cell), push(a, on_a), push(b, on_b);
-    // Twins of the last node are pushed as it is.
-    for (std::size_t twin = body_.nodes; twin < now_.size(); ++twin)
-        push_x_[twin] = push_x_[body_.nodes - 1], push_y_[twin] = push_y_[body_.nodes - 1];
+    for (const auto &[cell, a, b, forces] : touches)
+        push(cell, forces.on_cell), push(a, forces.on_a), push(b, forces.on_b);
+    // Copies of the last node are pushed as it is.
+    for (std::size_t copy = body_.nodes; copy < now_.size(); ++copy)
+        push_x_[copy] = push_x_[body_.nodes - 1], push_y_[copy] = push_y_[body_.nodes - 1];
 }
 
 std::vector<Vec2d> NativeEngine::positions() const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "physics/engine.h"
+#include "physics/ground.h"
 #include "physics/native/contact.h"
 #include "physics/native/kernel.h"
 
@@ -16,7 +17,7 @@ class NativeEngine : public Engine {
     NativeEngine &operator=(const NativeEngine &) = delete;
 
     void load(const SoftBodyModel &model, const Environment &environment) override;
-    void actuate(std::span<const double> elongations, int steps) override;
+    void actuate(std::span<const double> extensions, int steps) override;
     Motion step(double damping) override;
     std::vector<Vec2d> positions() const override;
     std::vector<Vec2d> velocities() const override;
@@ -28,18 +29,18 @@ class NativeEngine : public Engine {
     const native::Kernel &kernel_;
     native::Layout body_;
     Vec2d origin_; // that the numbers of nodes and ground count from, world frame
-    std::vector<native::Piece> ground_;
-    std::vector<int> below_; // per node, twins included, the number of a piece of ground
+    std::vector<Piece<float>> ground_;
+    std::vector<int> below_; // per node, copies included, the number of a piece of ground
     native::StepTask task_;
     native::DragTask drag_;
     native::Contact contact_;
 
     std::vector<native::Record> now_, next_;
-    std::vector<native::Elongation> elongation_; // per node, twins included
-    std::vector<float> push_x_, push_y_;         // the same
-    std::vector<native::Force> half_drag_;       // per outline link, and 0 after them
-    bool touched_ = false;                       // whether touches pushed
-    float moved_ = 0;                            // how far the fastest node went in the last step
+    std::vector<native::Extension> extension_; // per node, copies included
+    std::vector<float> push_x_, push_y_;       // the same
+    std::vector<native::Force> half_drag_;     // per outline link, and 0 after them
+    bool touched_ = false;                     // whether touches pushed
+    float moved_ = 0;                          // how far the fastest node went in the last step
     int knot_steps_ = 0, knot_interval_ = 0;
     bool muscles_move_ = false; // towards the coming knot
 };

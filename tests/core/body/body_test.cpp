@@ -5,7 +5,7 @@
 
 using namespace planula;
 
-BOOST_AUTO_TEST_CASE(a_body_is_measured_where_it_stands) {
+BOOST_AUTO_TEST_CASE(rest_lengths_and_areas_are_those_of_the_positions) {
     const Body body = make_body({{0, 0}, {1, 0}, {0, 1}}, 1.5);
     BOOST_TEST(body.cells() == 3);
     BOOST_TEST(body.rest_lengths[0] == 1);
@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(elongation_is_the_ratio_of_the_principal_axes_at_any_angle)
     BOOST_TEST(elongation(points) == 2, boost::test_tools::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(a_chain_is_as_elongated_as_can_be_and_a_pair_has_no_shape) {
+BOOST_AUTO_TEST_CASE(a_chain_has_the_largest_elongation_and_a_pair_has_none) {
     BOOST_TEST(elongation(std::vector<Vec2d>{{0, 0}, {1, 1}, {2, 2}}) == 1000);
     BOOST_TEST(elongation(std::vector<Vec2d>{{0, 0}, {1, 1}}) == 0);
 }
@@ -33,8 +33,8 @@ BOOST_AUTO_TEST_CASE(the_centre_of_nothing_is_the_origin) {
     BOOST_TEST((centre_of_mass(std::vector<Vec2d>{{1, 2}, {3, 6}}) == Vec2d{2, 4}));
 }
 
-BOOST_AUTO_TEST_CASE(what_moves_as_a_whole_has_no_unrest) {
-    // Drift (3, -1) and a turn of 2 about the centre; then one of them moves within.
+BOOST_AUTO_TEST_CASE(a_rigid_motion_has_no_unrest) {
+    // Drift (3, -1) and a turn of 2 about the centre; then one of them also moves within the body.
     const std::vector<Vec2d> points{{1, 0}, {-1, 0}, {0, 2}, {0, -2}};
     std::vector<Vec2d> velocities;
     for (const Vec2d p : points) velocities.push_back(Vec2d{3, -1} + Vec2d{-p.y, p.x} * 2.0);

@@ -17,7 +17,7 @@ bool has(const Mesh &mesh, int a, int b) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(links_up_to_the_limit_stay_and_longer_ones_go) {
+BOOST_AUTO_TEST_CASE(links_up_to_the_limit_stay_and_longer_ones_are_left_out) {
     // A flat isosceles triangle: its base is longer than the limit, and the apex joins its ends.
     const Mesh open = connect(std::vector<Vec2d>{{0, 0}, {1.6, 0}, {0.8, 0.7}}, 1.5);
     BOOST_TEST(open.links.size() == 2u);
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(links_up_to_the_limit_stay_and_longer_ones_go) {
 }
 
 BOOST_AUTO_TEST_CASE(a_long_link_stays_if_it_alone_holds_the_body_together) {
-    // Two triangles far apart: the shortest of the long Delaunay links between them survives, and only that.
+    // Two triangles far apart: of the long Delaunay links between them only the shortest is kept.
     const std::vector<Vec2d> apart{{0, 0}, {1, 0}, {0.5, 0.8}, {4, 0.1}, {5, 0}, {4.5, 0.8}};
     const Mesh mesh = connect(apart, 1.5);
     BOOST_TEST(mesh.links.size() == 7u);
@@ -40,13 +40,13 @@ BOOST_AUTO_TEST_CASE(a_long_link_stays_if_it_alone_holds_the_body_together) {
 }
 
 BOOST_AUTO_TEST_CASE(bridges_are_kept_shortest_first) {
-    // Three far points: the two shorter sides join them, the longest goes.
+    // Three far points: the two shorter sides join them, the longest is left out.
     const Mesh mesh = connect(std::vector<Vec2d>{{0, 0}, {3, 0}, {0, 4}}, 1.5);
     BOOST_TEST((mesh.links == std::vector<Link>{{0, 1}, {0, 2}}));
 }
 
 BOOST_AUTO_TEST_CASE(the_mesh_of_moving_cells_is_that_of_new_ones) {
-    // A dense cloud, and one so thin that links are lost and found and bridges change.
+    // A dense cloud, and one so thin that links disappear and come back and bridges change.
     Stream stream(5, 0, 0, Purpose::sampling);
     int followed = 0, unchanged = 0;
     for (const double width : {5, 9}) {
@@ -60,9 +60,9 @@ BOOST_AUTO_TEST_CASE(the_mesh_of_moving_cells_is_that_of_new_ones) {
             const bool could = connection.follow(cells);
             if (!could) connection.start(cells);
             followed += could, unchanged += !connection.has_changed();
-            const Mesh anew = connect(cells, 1.5);
-            BOOST_REQUIRE((connection.mesh().links == anew.links));
-            BOOST_REQUIRE((connection.mesh().triangles == anew.triangles));
+            const Mesh renewed = connect(cells, 1.5);
+            BOOST_REQUIRE((connection.mesh().links == renewed.links));
+            BOOST_REQUIRE((connection.mesh().triangles == renewed.triangles));
         }
     }
     BOOST_TEST(followed > 200);

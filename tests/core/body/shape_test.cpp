@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(place_orientation_size_and_mirror_do_not_matter) {
         for (const double angle : {0.0, 0.7, 2.9})
             for (const double mirror : {1.0, -1.0})
                 BOOST_TEST(between(shape, moved(shape, angle, 3.7, mirror, {-40, 11})) < 0.004);
-    // Discs of 15, 88 and 298 cells are all discs; in the small one its few distances show.
+    // Discs of 15, 88 and 298 cells have nearly the same shape; the small one has few distances.
     BOOST_TEST(between(disc(2), disc(9)) < 0.12);
     BOOST_TEST(between(disc(5), disc(9)) < 0.03);
 }

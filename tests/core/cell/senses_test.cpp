@@ -10,7 +10,7 @@
 
 using namespace planula;
 
-BOOST_AUTO_TEST_CASE(a_cell_senses_place_neighbours_and_time) {
+BOOST_AUTO_TEST_CASE(a_cell_reads_place_neighbours_and_time) {
     const auto inputs = sense({3, -4}, 0.25, 0.5, NetworkParameters{});
     const auto near = boost::test_tools::tolerance(1e-15);
     BOOST_TEST(inputs[input::x] == 0.3, near);
@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(a_cell_senses_place_neighbours_and_time) {
     BOOST_TEST(inputs[input::bias] == 1);
 }
 
-BOOST_AUTO_TEST_CASE(the_order_of_inputs_and_outputs_is_the_models) {
+BOOST_AUTO_TEST_CASE(the_order_of_inputs_and_outputs_is_that_of_the_rules) {
     BOOST_TEST(input::count == 9);
     BOOST_TEST(input::bias == 8);
     BOOST_TEST(output::count(Actuation::oscillator) == 6);
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(the_order_of_inputs_and_outputs_is_the_models) {
     BOOST_TEST(output::spring == 4);
 }
 
-BOOST_AUTO_TEST_CASE(a_lonely_cell_smells_nothing) {
+BOOST_AUTO_TEST_CASE(a_cell_without_neighbours_reads_no_morphogen) {
     const std::vector<double> morphogens{0.5, -0.25, 1};
     BOOST_TEST(mean_morphogen({}, morphogens) == 0);
     BOOST_TEST(mean_morphogen(std::vector<int>{0, 1}, morphogens) == 0.125);

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(the_direction_is_the_mean_of_the_neighbours_turned_by_the_a
     BOOST_TEST(length(division_direction(embryo, 0, 1, narrow.development) - turned) < near);
 }
 
-BOOST_AUTO_TEST_CASE(without_neighbours_or_if_they_cancel_a_cell_follows_itself) {
+BOOST_AUTO_TEST_CASE(without_neighbours_or_if_they_cancel_a_cell_takes_its_own_orientation) {
     Embryo alone = zygote(1);
     alone.cells[0].orientation = {0, -1};
     BOOST_TEST(length(division_direction(alone, 0, 0, {}) - Vec2d{0, -1}) < near);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(a_daughter_touches_her_mother_and_inherits) {
     BOOST_TEST(embryo.largest == 2);
 }
 
-BOOST_AUTO_TEST_CASE(those_take_the_direction_that_division_turn_names) {
+BOOST_AUTO_TEST_CASE(division_turn_says_which_cells_take_the_direction) {
     const auto orientations = [](DivisionTurn turn) {
         Parameters p;
         p.development.division_turn = turn;
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(orientations_turn_as_the_links_of_a_cell_do) {
 BOOST_AUTO_TEST_CASE(division_needs_room_for_the_daughter_but_not_from_the_mother) {
     Parameters p;
     p.development.division_jitter = 0;
-    // Exactly at the clearance (a binary fraction) there is room; a hair nearer there is none, and nothing
+    // Exactly at the clearance (a binary fraction) there is room; slightly nearer there is none, and nothing
     // changes.
     p.development.division_clearance = 0.4375;
     Embryo free = star({{0, 0}, {1 + p.development.division_clearance, 0}});
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(the_offset_depends_on_the_daughters_lineage_alone_and_stays
     BOOST_TEST(x(1) != x(2));
 }
 
-BOOST_AUTO_TEST_CASE(a_birth_elsewhere_moves_no_daughter) {
+BOOST_AUTO_TEST_CASE(a_birth_elsewhere_does_not_change_the_place_of_a_daughter) {
     // Two far mothers: the second's daughter lies where she would if the first had not divided.
     const Parameters p;
     Embryo both = star({{0, 0}, {50, 0}}), one = both;
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(every_cell_has_a_lineage_of_its_own) {
     BOOST_TEST(lineages.size() == embryo.cells.size());
 }
 
-BOOST_AUTO_TEST_CASE(the_dead_leave_and_the_others_keep_their_order) {
+BOOST_AUTO_TEST_CASE(dead_cells_are_removed_and_the_others_keep_their_order) {
     Embryo embryo = star({{0, 0}, {1, 0}, {0, 1}, {-1, 0}});
     remove_cells(std::vector<char>{1, 0, 1, 0}, embryo);
     BOOST_REQUIRE(embryo.cells.size() == 2u);

@@ -52,13 +52,14 @@ BOOST_AUTO_TEST_CASE(links_that_follow_moving_cells_are_those_of_a_new_triangula
         for (const Genome &genome : genomes)
             grown(genome, actuation, [](int step, auto cells, auto links) {
                 if (step % 10 != 0) return;
-                const Mesh anew = connect(cells, 1.5);
-                BOOST_REQUIRE(std::equal(links.begin(), links.end(), anew.links.begin(), anew.links.end()));
+                const Mesh renewed = connect(cells, 1.5);
+                BOOST_REQUIRE(
+                    std::equal(links.begin(), links.end(), renewed.links.begin(), renewed.links.end()));
             });
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_silent_inhibitor_lets_every_cell_divide_at_every_decision) {
+BOOST_AUTO_TEST_CASE(without_inhibition_every_cell_divides_at_every_decision) {
     // A network without links: inhibitor 0, so all divide; the first decision is at step 0.
     std::vector<std::size_t> sizes(600);
     const Growth growth =
@@ -73,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_silent_inhibitor_lets_every_cell_divide_at_every_decision
     BOOST_TEST(growth.births == growth.cells);
 }
 
-BOOST_AUTO_TEST_CASE(an_inhibited_zygote_stays_alone_and_is_too_small) {
+BOOST_AUTO_TEST_CASE(an_inhibited_zygote_does_not_divide_and_is_too_small) {
     Genome genome = bare_genome(Actuation::oscillator);
     wire(genome, input::bias, output::division_inhibitor, 1);
     const Growth growth = grown(genome);
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_finite_explodes_the_embryo) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(bodies_are_connected_and_settled_with_links_within_the_limit_or_bridges) {
+BOOST_AUTO_TEST_CASE(bodies_are_connected_and_relaxed_with_links_within_the_limit_or_bridges) {
     const Growth growth = grown(lump_genome(Actuation::oscillator, 6));
     BOOST_TEST(growth.outcome == Outcome::viable);
     const int n = growth.cells;

@@ -26,19 +26,19 @@ Growth grown(const Genome &genome, Actuation actuation, const GrowthWatch &watch
     return grow(express(genome, parameters.network.propagation_limit), actuation, parameters, watch);
 }
 
-/// What a watch saw before the physics of one step.
-struct Sight {
+/// Cells and links before the physics of one step, as a watch sees them.
+struct Snapshot {
     std::vector<Vec2d> cells;
     std::vector<Link> links;
 };
 
-/// What there is to see at one step.
-Sight seen(const Genome &genome, Actuation actuation, int wanted) {
-    Sight sight;
+/// Those at one step.
+Snapshot seen(const Genome &genome, Actuation actuation, int wanted) {
+    Snapshot snapshot;
     grown(genome, actuation, [&](int step, auto cells, auto links) {
-        if (step == wanted) sight = {{cells.begin(), cells.end()}, {links.begin(), links.end()}};
+        if (step == wanted) snapshot = {{cells.begin(), cells.end()}, {links.begin(), links.end()}};
     });
-    return sight;
+    return snapshot;
 }
 
 /// A network output of one cell at the end of development.
@@ -56,33 +56,35 @@ double mean(std::span<const int> neighbours, const std::vector<double> &values) 
     return sum / static_cast<double>(neighbours.size());
 }
 
-/// A random genome whose cells stop dividing after step 510 and tell their X; `listener` is what they hear.
-Genome telling_genome(Actuation actuation, std::uint64_t seed, output::Channel listener) {
+/// A random genome whose cells stop dividing after step 510 and whose morphogen is tanh of their X; the output `reader`
+/// is tanh of the neighbours' mean morphogen.
+Genome morphogen_genome(Actuation actuation, std::uint64_t seed, output::Channel reader) {
     Genome genome = random_genome(actuation, seed);
     std::erase_if(genome.links, [&](const LinkGene &link) {
         const int channel = link.to - genome.inputs;
-        return link.from == input::morphogen || channel == output::morphogen || channel == listener ||
+        return link.from == input::morphogen || channel == output::morphogen || channel == reader ||
                channel == output::division_inhibitor;
     });
     wire(genome, input::time, output::division_inhibitor, 8);
     wire(genome, input::bias, output::division_inhibitor, -7);
     wire(genome, input::x, output::morphogen, 1);
-    wire(genome, input::morphogen, listener, 1);
+    wire(genome, input::morphogen, reader, 1);
     return genome;
 }
 
-bool is_connected(const Sight &sight) {
-    std::vector<char> reached(sight.cells.size());
+bool is_connected(const Snapshot &snapshot) {
+    std::vector<char> reached(snapshot.cells.size());
     reached[0] = 1;
-    for (std::size_t round = 0; round < sight.cells.size(); ++round)
-        for (const auto &[a, b] : sight.links)
+    for (std::size_t round = 0; round < snapshot.cells.size(); ++round)
+        for (const auto &[a, b] : snapshot.links)
             if (reached[a] || reached[b]) reached[a] = reached[b] = 1;
     return std::all_of(reached.begin(), reached.end(), [](char r) { return r; });
 }
 
-double longest(const Sight &sight) {
+double longest(const Snapshot &snapshot) {
     double most = 0;
-    for (const auto &[a, b] : sight.links) most = std::max(most, length(sight.cells[b] - sight.cells[a]));
+    for (const auto &[a, b] : snapshot.links)
+        most = std::max(most, length(snapshot.cells[b] - snapshot.cells[a]));
     return most;
 }
 
@@ -133,8 +135,8 @@ BOOST_AUTO_TEST_CASE(a_line_whose_middle_dies_stays_linked_by_a_bridge) {
     for (const int node : {add_switch(genome, input::x, 40, -14), add_switch(genome, input::x, -40, 34),
                            add_switch(genome, input::time, 40, -40 * 0.925)})
         add_link(genome, node, genome.inputs + output::apoptosis, 0.5);
-    const Sight before = seen(genome, Actuation::oscillator, 569),
-                after = seen(genome, Actuation::oscillator, 570);
+    const Snapshot before = seen(genome, Actuation::oscillator, 569),
+                   after = seen(genome, Actuation::oscillator, 570);
     BOOST_TEST(before.cells.size() == 13u);
     BOOST_TEST(longest(before) < 1.5);
     BOOST_TEST(after.cells.size() < 10u);
@@ -166,7 +168,7 @@ BOOST_AUTO_TEST_CASE(at_256_cells_development_stops) {
     BOOST_TEST(last % 30 == 29); // in a decision
 }
 
-BOOST_AUTO_TEST_CASE(the_birth_limit_counts_the_dead_too) {
+BOOST_AUTO_TEST_CASE(the_birth_limit_counts_dead_cells_too) {
     // A line that grows by one cell a decision in the east and dies as fast in the west.
     Genome genome = line_genome(Actuation::oscillator, 20);
     wire(genome, input::time, output::apoptosis, 4);
@@ -179,77 +181,77 @@ BOOST_AUTO_TEST_CASE(the_birth_limit_counts_the_dead_too) {
     BOOST_TEST(grown(genome, Actuation::oscillator, {}, p).births == 15);
 }
 
-BOOST_AUTO_TEST_CASE(a_daughter_takes_her_place_before_the_next_cell_divides) {
-    // Both cells of the pair at 0 and (1/2, √3/2) want the place (−1/2, √3/2): angles of 60, then 60 + 60 and
-    // 60 + 120 degrees. The lower id gets it.
+BOOST_AUTO_TEST_CASE(a_daughter_is_placed_before_the_next_cell_divides) {
+    // Both cells of the pair at 0 and (1/2, √3/2) would put a daughter at (−1/2, √3/2): angles of 60, then 60 + 60 and
+    // 60 + 120 degrees. The lower id divides.
     const auto atanh = [](double y) { return 0.5 * math::log((1 + y) / (1 - y)); };
     const double first = atanh(1.0 / 3), both = atanh(2.0 / 3);
     Genome genome = bare_genome(Actuation::oscillator);
     wire(genome, input::bias, output::division_angle, first);
     wire(genome, input::x, output::division_angle, (both - first) / 0.05);
-    const Sight sight = seen(genome, Actuation::oscillator, 30);
-    BOOST_TEST(sight.cells.size() == 3u);
-    BOOST_TEST(length(sight.cells[2] - Vec2d{-0.5, std::sqrt(0.75)}) < 0.01);
-    // With the second cell looking elsewhere there is room for both.
+    const Snapshot snapshot = seen(genome, Actuation::oscillator, 30);
+    BOOST_TEST(snapshot.cells.size() == 3u);
+    BOOST_TEST(length(snapshot.cells[2] - Vec2d{-0.5, std::sqrt(0.75)}) < 0.01);
+    // If the second cell divides in another direction there is room for both.
     genome.links.back().weight = 0;
     BOOST_TEST(seen(genome, Actuation::oscillator, 30).cells.size() == 4u);
 }
 
-BOOST_AUTO_TEST_CASE(the_read_out_hears_what_was_told_at_step_570_over_the_final_mesh) {
+BOOST_AUTO_TEST_CASE(the_read_out_reads_the_morphogens_of_step_570_over_the_final_mesh) {
     // A body whose links change in the last ten steps.
-    const Genome genome = telling_genome(Actuation::oscillator, 327, output::period);
-    const Sight told = seen(genome, Actuation::oscillator, 570);
+    const Genome genome = morphogen_genome(Actuation::oscillator, 327, output::period);
+    const Snapshot source = seen(genome, Actuation::oscillator, 570);
     const Growth growth = grown(genome, Actuation::oscillator);
     BOOST_TEST((seen(genome, Actuation::oscillator, 599).links != growth.body.mesh.links));
-    BOOST_REQUIRE(told.cells.size() == growth.body.positions.size());
+    BOOST_REQUIRE(source.cells.size() == growth.body.positions.size());
     std::vector<double> morphogens;
-    for (const Vec2d place : told.cells) morphogens.push_back(east(place));
+    for (const Vec2d place : source.cells) morphogens.push_back(east(place));
     const Neighbours adjacent(growth.body.mesh.links, growth.cells);
     for (int cell = 0; cell < growth.cells; ++cell)
         BOOST_TEST(output_of(growth, cell, output::period) == math::tanh(mean(adjacent[cell], morphogens)),
                    near);
 }
 
-BOOST_AUTO_TEST_CASE(a_decision_hears_the_previous_one_over_the_links_of_ten_steps_before) {
+BOOST_AUTO_TEST_CASE(a_decision_reads_the_morphogens_of_the_one_before_over_the_links_of_ten_steps_before) {
     // The GRN's last update, at step 570, in a body whose links at 570 are not those of 560.
-    const Genome genome = telling_genome(Actuation::grn, 343, output::spring);
-    const Sight told = seen(genome, Actuation::grn, 540), linked = seen(genome, Actuation::grn, 560);
+    const Genome genome = morphogen_genome(Actuation::grn, 343, output::spring);
+    const Snapshot source = seen(genome, Actuation::grn, 540), linked = seen(genome, Actuation::grn, 560);
     const Growth growth = grown(genome, Actuation::grn);
     BOOST_TEST((seen(genome, Actuation::grn, 570).links != linked.links));
     BOOST_TEST(growth.births == growth.cells);
-    BOOST_REQUIRE(told.cells.size() == growth.body.positions.size());
+    BOOST_REQUIRE(source.cells.size() == growth.body.positions.size());
     std::vector<double> morphogens;
-    for (const Vec2d place : told.cells) morphogens.push_back(east(place));
+    for (const Vec2d place : source.cells) morphogens.push_back(east(place));
     const Neighbours adjacent(linked.links, growth.cells);
     for (int cell = 0; cell < growth.cells; ++cell)
         BOOST_TEST(output_of(growth, cell, output::spring) == math::tanh(mean(adjacent[cell], morphogens)),
                    near);
 }
 
-BOOST_AUTO_TEST_CASE(a_decision_reads_the_links_before_its_deaths_and_the_dying_speak) {
-    // A line whose eastern end dies at step 570, the last update of the GRN: those who stay heard at 570 what
-    // all told at 540, over the links of step 560.
+BOOST_AUTO_TEST_CASE(a_decision_reads_the_links_before_its_deaths_and_the_morphogens_of_dying_cells) {
+    // A line whose eastern end dies at step 570, the last update of the GRN: the cells that stay have read
+    // at 570 the morphogens that all had at 540, over the links of step 560.
     Genome genome = line_genome(Actuation::grn, 12);
     wire(genome, input::time, output::apoptosis, 40);
     wire(genome, input::x, output::apoptosis, 3);
     wire(genome, input::bias, output::apoptosis, -40 * 0.95 - 3 * 0.65 + 1);
     wire(genome, input::x, output::morphogen, 1);
     wire(genome, input::morphogen, output::spring, 1);
-    const Sight told = seen(genome, Actuation::grn, 540), linked = seen(genome, Actuation::grn, 560);
+    const Snapshot source = seen(genome, Actuation::grn, 540), linked = seen(genome, Actuation::grn, 560);
     const Growth growth = grown(genome, Actuation::grn);
     BOOST_TEST(linked.cells.size() == 13u);
     BOOST_REQUIRE(growth.cells < 9);
     BOOST_REQUIRE(growth.cells > 3);
     std::vector<double> morphogens;
-    for (const Vec2d place : told.cells) morphogens.push_back(east(place));
+    for (const Vec2d place : source.cells) morphogens.push_back(east(place));
     const Neighbours adjacent(linked.links, 13);
     for (int cell = 0; cell < growth.cells; ++cell)
         BOOST_TEST(output_of(growth, cell, output::spring) == math::tanh(mean(adjacent[cell], morphogens)),
                    near);
-    BOOST_TEST(adjacent[growth.cells - 1].back() == growth.cells); // one who died
+    BOOST_TEST(adjacent[growth.cells - 1].back() == growth.cells); // a cell that died
 }
 
-BOOST_AUTO_TEST_CASE(specimens_are_what_they_are_called) {
+BOOST_AUTO_TEST_CASE(specimens_have_the_shapes_of_their_names) {
     for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
         const Growth disc = grown(disc_genome(actuation), actuation);
         BOOST_TEST(disc.cells == 60);

@@ -119,19 +119,21 @@ BOOST_AUTO_TEST_CASE(half_the_step_moves_a_body_alike) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(bullet_confirms_what_the_native_engine_finds) {
-    for (const bool on_land : {false, true}) {
-        Conditions witnessed = conditions(Actuation::oscillator, on_land);
-        const Genome genome = random_genome(Actuation::oscillator, 33);
-        const Life native = live(genome, witnessed);
-        witnessed.engine = "bullet";
-        const Life bullet = live(genome, witnessed);
-        BOOST_TEST(bullet.outcome == Outcome::viable);
-        BOOST_TEST(std::abs(bullet.rest.y - native.rest.y) < 0.02); // in water both are 0
-        BOOST_TEST(bullet.displacement() == native.displacement(),
-                   boost::test_tools::tolerance(on_land ? 0.1 : 0.001));
-        BOOST_TEST((bullet == live(genome, witnessed)));
-    }
+BOOST_AUTO_TEST_CASE(other_engines_confirm_what_the_native_engine_finds) {
+    for (const bool on_land : {false, true})
+        for (const char *engine : {"reference", "bullet"}) {
+            Conditions given = conditions(Actuation::oscillator, on_land);
+            const Genome genome = random_genome(Actuation::oscillator, 33);
+            const Life native = live(genome, given);
+            given.engine = engine;
+            const Life other = live(genome, given);
+            const double bound = on_land && given.engine == "bullet" ? 0.1 : 0.001;
+            BOOST_TEST(other.outcome == Outcome::viable, engine);
+            BOOST_TEST(std::abs(other.rest.y - native.rest.y) < 0.02, engine); // in water both are 0
+            BOOST_TEST(std::abs(other.displacement() / native.displacement() - 1) < bound,
+                       engine << ": " << other.displacement() << ", native " << native.displacement());
+            BOOST_TEST((other == live(genome, given)), engine);
+        }
 }
 
 BOOST_AUTO_TEST_CASE(hostile_weights_end_in_a_named_outcome_and_finite_numbers) {

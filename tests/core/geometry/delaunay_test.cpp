@@ -25,7 +25,7 @@ long double in_circle(Vec2d a, Vec2d b, Vec2d c, Vec2d d) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(few_points_are_joined_as_far_as_they_go) {
+BOOST_AUTO_TEST_CASE(one_point_has_no_edge_and_two_have_one) {
     BOOST_TEST(delaunay({}).edges.empty());
     BOOST_TEST(delaunay(scatter(1, 1)).edges.empty());
     BOOST_TEST((delaunay(scatter(2, 1)).edges == std::vector<std::array<int, 2>>{{0, 1}}));

@@ -14,8 +14,8 @@ using namespace planula;
 using planula::test::scatter;
 
 BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) {
-    // A cloud that jitters and grows, inside and over its hull: mostly kept or mended, where points jump over several
-    // others begun again.
+    // A cloud that jitters and grows, inside and over its hull: mostly kept or repaired; where points jump over several
+    // others it is started again.
     for (const double pace : {0.002, 0.02, 0.2, 0.6}) {
         Stream stream(7, 0, 0, Purpose::sampling);
         std::vector<Vec2d> points = scatter(100, 3);
@@ -31,9 +31,9 @@ BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) 
             const bool could = moving.follow(points);
             if (!could) moving.start(points);
             followed += could, changed += could && moving.has_changed();
-            const Triangulation anew = delaunay(points);
-            BOOST_REQUIRE((moving.edges() == anew.edges));
-            BOOST_REQUIRE((moving.triangles() == anew.triangles));
+            const Triangulation renewed = delaunay(points);
+            BOOST_REQUIRE((moving.edges() == renewed.edges));
+            BOOST_REQUIRE((moving.triangles() == renewed.triangles));
         }
         BOOST_TEST(followed > (pace < 0.5 ? 150 : 10), pace << ": " << followed);
         BOOST_TEST(followed < (pace < 0.5 ? 201 : 150), pace << ": " << followed);
@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(moving_points_keep_the_triangulation_that_a_new_one_gives) 
 }
 
 BOOST_AUTO_TEST_CASE(moving_points_of_a_grid_break_ties_as_new_ones_do) {
-    // Points hop between halves of a grid's cells: cocircular and collinear ones remain at every step.
+    // Points move between halves of a grid's cells: cocircular and collinear ones remain at every step.
     Stream stream(8, 0, 0, Purpose::sampling);
     std::vector<Vec2d> grid;
     for (int x = 0; x < 7; ++x)
@@ -82,9 +82,9 @@ BOOST_AUTO_TEST_CASE(new_points_of_a_grid_join_it_as_if_they_had_been_there) {
             const bool could = moving.follow(some);
             if (!could) moving.start(some);
             followed += could;
-            const Triangulation anew = delaunay(some);
-            BOOST_REQUIRE((moving.edges() == anew.edges));
-            BOOST_REQUIRE((moving.triangles() == anew.triangles));
+            const Triangulation renewed = delaunay(some);
+            BOOST_REQUIRE((moving.edges() == renewed.edges));
+            BOOST_REQUIRE((moving.triangles() == renewed.triangles));
         }
         BOOST_TEST(followed >= 30);
     }
@@ -123,8 +123,8 @@ BOOST_AUTO_TEST_CASE(points_may_leave_the_hull_and_join_it) {
     BOOST_TEST(moved(4, {-0.5, 1}));    // the inner point out over an edge of the hull
 }
 
-BOOST_AUTO_TEST_CASE(a_triangulation_that_winds_twice_is_not_followed) {
-    // A fan about the last point whose spokes now go round it twice: every face and every turn of the hull is sound.
+BOOST_AUTO_TEST_CASE(a_triangulation_whose_hull_goes_round_twice_is_not_followed) {
+    // Faces around the last point that now go round it twice: every face and every turn of the hull is valid.
     std::vector<Vec2d> fan, wound;
     for (int i = 0; i < 7; ++i) {
         const double angle = 2 * math::pi * i / 7;

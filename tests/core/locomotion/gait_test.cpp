@@ -27,11 +27,11 @@ BOOST_AUTO_TEST_CASE(the_amplitude_rises_over_the_ramp) {
     BOOST_TEST(ramp(4000, p.gait) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(cells_in_accord_change_a_rest_length_by_the_whole_range) {
-    BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, 1), elongation(0.4, 1, 1)) == 2.8, near);
-    BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, -1), elongation(0.4, 1, -1)) == 1.2, near);
-    BOOST_TEST(actuated_length(2.0, elongation(0.4, 1, 1), elongation(0.4, 1, -1)) == 2);
-    BOOST_TEST(actuated_length(2.0, elongation(0.4, 0.5, 1), elongation(0.4, 0.5, 0)) == 2.2, near);
+BOOST_AUTO_TEST_CASE(cells_with_equal_signals_change_a_rest_length_by_the_whole_range) {
+    BOOST_TEST(actuated_length(2.0, extension(0.4, 1, 1), extension(0.4, 1, 1)) == 2.8, near);
+    BOOST_TEST(actuated_length(2.0, extension(0.4, 1, -1), extension(0.4, 1, -1)) == 1.2, near);
+    BOOST_TEST(actuated_length(2.0, extension(0.4, 1, 1), extension(0.4, 1, -1)) == 2);
+    BOOST_TEST(actuated_length(2.0, extension(0.4, 0.5, 1), extension(0.4, 0.5, 0)) == 2.2, near);
 }
 
 BOOST_AUTO_TEST_CASE(a_held_gait_stays_as_it_is) {

@@ -75,8 +75,8 @@ BOOST_AUTO_TEST_CASE(the_activity_of_cells_that_flip_from_end_to_end_is_one) {
 }
 
 BOOST_AUTO_TEST_CASE(the_first_morphogen_is_averaged_from_the_last_decision_over_the_final_mesh) {
-    // The spring output reads the morphogen input: cell 0 hears cell 1's −0.25 first, then tanh of its own
-    // reply.
+    // The spring output reads the morphogen input: cell 0 first reads −0.25 from cell 1, then tanh of the
+    // value that cell 1 has made of it.
     Genome genome = bare_genome(Actuation::grn);
     wire(genome, input::morphogen, output::spring, 1);
     wire(genome, input::morphogen, output::morphogen, 1);
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(the_first_morphogen_is_averaged_from_the_last_decision_over
     BOOST_TEST(signal[0] == std::tanh(std::tanh(0.5)), near);
 }
 
-BOOST_AUTO_TEST_CASE(an_activation_that_is_not_finite_is_noticed) {
+BOOST_AUTO_TEST_CASE(an_activation_that_is_not_finite_is_reported) {
     Pair pair(-3, 0.5, 0);
     pair.tissue.activations.at(1, input::count + output::spring) = std::numeric_limits<double>::quiet_NaN();
     GrnMuscles gait(pair.network, pair.body, pair.tissue, pair.parameters);
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(networks_at_rest_are_those_that_go_on_being_updated) {
     BOOST_TEST(moving >= 5);
 }
 
-BOOST_AUTO_TEST_CASE(time_and_place_are_read_anew_where_the_experiment_says_so) {
+BOOST_AUTO_TEST_CASE(time_and_place_are_updated_where_the_experiment_says_so) {
     // The spring output is the tanh of one input.
     const auto newest = [](input::Channel channel, const Parameters &parameters, Vec2d shift) {
         Genome genome = bare_genome(Actuation::grn);

@@ -19,8 +19,8 @@ using namespace planula::specimens;
 namespace {
 
 /// All cells follow one signal.
-struct Unison : Gait {
-    explicit Unison(std::function<double(int)> signal_of) : value(std::move(signal_of)) {}
+struct SameSignal : Gait {
+    explicit SameSignal(std::function<double(int)> signal_of) : value(std::move(signal_of)) {}
     void signals(int t, std::span<double> signal) override {
         asked.push_back(t);
         std::fill(signal.begin(), signal.end(), value(t));
@@ -29,11 +29,11 @@ struct Unison : Gait {
     std::vector<int> asked;
 };
 
-/// An engine that records the elongation of its first node, and whose nodes have the speed it is told.
-struct Scribe : Engine {
+/// An engine that records the extension of its first node, and whose nodes have a given speed.
+struct RecordingEngine : Engine {
     void load(const SoftBodyModel &, const Environment &) override {}
-    void actuate(std::span<const double> elongations, int steps) override {
-        from = to, to = elongations[0], interval = steps, since = 0;
+    void actuate(std::span<const double> extensions, int steps) override {
+        from = to, to = extensions[0], interval = steps, since = 0;
     }
     Motion step(double damping) override {
         since = std::min(since + 1, interval);
@@ -49,8 +49,8 @@ struct Scribe : Engine {
     std::vector<double> lengths, dampings; // of a spring of length 1 between nodes alike
 };
 
-/// Every cell beats at the shortest period, in a phase of its own: neighbours pull against each other.
-struct Discord : Gait {
+/// Every cell contracts at the shortest period, in a phase of its own: neighbours pull against each other.
+struct OpposedSignals : Gait {
     void signals(int t, std::span<double> signal) override {
         for (std::size_t cell = 0; cell < signal.size(); ++cell)
             signal[cell] = math::sin(math::pi * (0.02 * t + 1.37 * static_cast<double>(cell)));
@@ -68,7 +68,7 @@ Body flat_lattice() {
 /// The smallest signed area that any triangle had, over its area in equilibrium.
 double least_area(const Body &body, const Environment &environment, double range, const Parameters &p = {}) {
     const SoftBodyModel model = soft_body(body, environment, p);
-    Discord gait;
+    OpposedSignals gait;
     const auto engine = make_engine("native");
     double least = std::numeric_limits<double>::infinity();
     const auto look = [&](int, std::span<const Vec2d> at, std::span<const double>) {
@@ -85,8 +85,8 @@ double least_area(const Body &body, const Environment &environment, double range
 
 BOOST_AUTO_TEST_CASE(step_n_uses_the_rest_lengths_of_t_n_plus_1_linear_between_knots) {
     const auto model = soft_body(lattice(2, 1), water());
-    Unison gait([](int t) { return std::sin(0.05 * t); });
-    Scribe engine;
+    SameSignal gait([](int t) { return std::sin(0.05 * t); });
+    RecordingEngine engine;
     locomote(model, water(), 0.4, Parameters(), gait, engine);
     BOOST_TEST(engine.lengths.size() == 4000u);
     const auto knot = [](int t) { return 1 + std::min(1.0, t / 200.0) * 0.4 * std::sin(0.05 * t); };
@@ -99,11 +99,11 @@ BOOST_AUTO_TEST_CASE(step_n_uses_the_rest_lengths_of_t_n_plus_1_linear_between_k
     BOOST_TEST(gait.asked.back() == 4000);
 }
 
-BOOST_AUTO_TEST_CASE(late_actuation_tells_a_rhythm_from_a_single_contraction) {
+BOOST_AUTO_TEST_CASE(late_actuation_distinguishes_a_rhythm_from_a_single_contraction) {
     const auto model = soft_body(lattice(2, 1), water());
     const auto late = [&](const std::function<double(int)> &signal) {
-        Unison gait(signal);
-        Scribe engine;
+        SameSignal gait(signal);
+        RecordingEngine engine;
         return locomote(model, water(), 0.4, Parameters(), gait, engine).late_actuation;
     };
     BOOST_TEST(late([](int t) { return t / 10 % 2; }) == 0.25);
@@ -113,10 +113,10 @@ BOOST_AUTO_TEST_CASE(late_actuation_tells_a_rhythm_from_a_single_contraction) {
     BOOST_TEST(late([](int t) { return t >= 3000; }) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
+BOOST_AUTO_TEST_CASE(in_water_there_is_no_settling_and_rest_is_the_start) {
     const auto model = soft_body(lattice(2, 1), water());
-    Unison gait([](int) { return 0.0; });
-    Scribe engine;
+    SameSignal gait([](int) { return 0.0; });
+    RecordingEngine engine;
     const Trial trial = locomote(model, water(), 0.4, Parameters(), gait, engine);
     BOOST_TEST(trial.settle_steps == 0);
     BOOST_TEST((trial.rest == Vec2d{0, 0}));
@@ -129,8 +129,8 @@ BOOST_AUTO_TEST_CASE(in_water_nothing_settles_and_rest_is_the_start) {
 BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
     // Slow from step 101 on but for one step, 500: it is at rest at step 500 + 800.
     const auto model = soft_body(lattice(2, 1), land());
-    Unison gait([](int) { return 0.0; });
-    Scribe engine;
+    SameSignal gait([](int) { return 0.0; });
+    RecordingEngine engine;
     engine.speed = [](int step) { return step <= 100 || step == 500 ? 0.05 : 0.049; };
     const Trial trial = locomote(model, land(), 0.3, Parameters(), gait, engine);
     BOOST_TEST(trial.outcome == Outcome::viable);
@@ -143,8 +143,8 @@ BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
 
 BOOST_AUTO_TEST_CASE(the_limit_of_settling_includes_the_window) {
     const auto model = soft_body(lattice(2, 1), land());
-    Unison gait([](int) { return 0.0; });
-    Scribe just, late;
+    SameSignal gait([](int) { return 0.0; });
+    RecordingEngine just, late;
     just.speed = [](int step) { return step <= 5200 ? 1.0 : 0.0; };
     late.speed = [](int step) { return step <= 5201 ? 1.0 : 0.0; };
     BOOST_TEST(locomote(model, land(), 0.3, Parameters(), gait, just).outcome == Outcome::viable);
@@ -154,12 +154,12 @@ BOOST_AUTO_TEST_CASE(the_limit_of_settling_includes_the_window) {
     BOOST_TEST(late.lengths.size() == 6000u);
 }
 
-BOOST_AUTO_TEST_CASE(constant_actuation_leads_nowhere) {
+BOOST_AUTO_TEST_CASE(constant_actuation_does_not_displace_a_body) {
     // The centre of mass moves less than 0.01 cells in the last 1000 of 4000 steps.
     for (const bool on_land : {false, true}) {
         const Environment environment = on_land ? land() : water();
         const auto model = soft_body(lattice(6, 3), environment);
-        Unison gait([](int) { return 0.8; });
+        SameSignal gait([](int) { return 0.8; });
         NativeEngine engine;
         const Trial trial = locomote(model, environment, 0.3, Parameters(), gait, engine);
         BOOST_TEST(trial.outcome == Outcome::viable);
@@ -167,9 +167,9 @@ BOOST_AUTO_TEST_CASE(constant_actuation_leads_nowhere) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(wild_signals_explode_and_end_the_trial) {
+BOOST_AUTO_TEST_CASE(signals_that_make_a_body_explode_end_the_trial) {
     const auto model = soft_body(lattice(6, 3), water());
-    Unison gait([](int t) { return t < 1000 ? 0.0 : std::numeric_limits<double>::quiet_NaN(); });
+    SameSignal gait([](int t) { return t < 1000 ? 0.0 : std::numeric_limits<double>::quiet_NaN(); });
     NativeEngine engine;
     BOOST_TEST(locomote(model, water(), 0.4, Parameters(), gait, engine).outcome == Outcome::exploded);
 }

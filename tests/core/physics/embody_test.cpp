@@ -66,11 +66,11 @@ BOOST_AUTO_TEST_CASE(only_links_that_lay_in_reach_at_the_end_of_development_are_
     }
     Parameters wide;
     wide.body.contact_radius = 2;
-    const auto shy = soft_body(body, water(), wide);
-    for (std::size_t link = 0; link < shy.outline.size(); ++link) {
-        const auto &l = shy.outline[link];
+    const auto wider = soft_body(body, water(), wide);
+    for (std::size_t link = 0; link < wider.outline.size(); ++link) {
+        const auto &l = wider.outline[link];
         const auto joins = [&](int a, int b) { return std::min(l.a, l.b) == a && std::max(l.a, l.b) == b; };
-        if (joins(1, 2)) BOOST_TEST(shy.is_masked(corner, link));
-        if (joins(2, 3)) BOOST_TEST(!shy.is_masked(corner, link)); // exactly 2 away: not nearer
+        if (joins(1, 2)) BOOST_TEST(wider.is_masked(corner, link));
+        if (joins(2, 3)) BOOST_TEST(!wider.is_masked(corner, link)); // exactly 2 away: not nearer
     }
 }

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(the_papers_worlds_and_mixtures_are_accepted) {
         {.gravity = 1, .has_ground = true, .friction = 0.1, .drag_normal = 1, .flow = {0.5, 0}});
 }
 
-BOOST_AUTO_TEST_CASE(nonsense_is_refused_with_the_rule_and_the_value) {
+BOOST_AUTO_TEST_CASE(invalid_values_are_refused_with_the_rule_and_the_value) {
     refused({.gravity = -1, .has_ground = true}, "gravity must be a finite number, 0 or more, not -1");
     refused({.friction = -0.5}, "friction");
     refused({.drag_normal = std::nan("")}, "normal drag");

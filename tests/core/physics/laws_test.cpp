@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(an_inverted_triangle_is_pushed_back) {
     BOOST_TEST(forces.c.y > 0);
 }
 
-BOOST_AUTO_TEST_CASE(drag_is_quadratic_and_lighter_along_the_edge) {
+BOOST_AUTO_TEST_CASE(drag_is_quadratic_and_weaker_along_the_edge) {
     // ℓ = 2 along x, v = (3, −0.5): F_T = −0.1 · 2 · 9, F_N = +1 · 2 · 0.25.
     const Vec2d force = drag_force<double>({2, 0}, {3, -0.5}, 1.0, 0.1);
     BOOST_TEST(force.x == -1.8, near);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(contact_pushes_apart_within_its_reach) {
     BOOST_TEST((push(0, 0) == Vec2d{}));
 }
 
-BOOST_AUTO_TEST_CASE(the_ground_takes_the_normal_speed_and_friction_its_share_of_the_impulse) {
+BOOST_AUTO_TEST_CASE(the_ground_stops_the_normal_speed_and_friction_is_its_share_of_the_impulse) {
     const GroundPlane<double> level{{0, 0}, {0, 1}};
     // y + v_y dt = 0.01 − 0.03 < 0: j = 2, so v_y = −1 and v_x falls by 0.8 · 2.
     const Vec2d sliding = ground_contact<double>({0, 0.01}, {5, -3}, level, 0.8, 0.01);

@@ -22,7 +22,7 @@ namespace {
 /// Two triangles that share a corner, from which a lone link goes upward: a node on five outline links.
 Body bow_tie() { return make_body({{0, 0}, {-1, 0.3}, {-1, -0.3}, {1, 0.3}, {1, -0.3}, {0, 1.2}}, 1.3); }
 
-/// Nodes off their places, most of them moving, twins as their node.
+/// Nodes off their places, most of them moving, copies as their node.
 std::vector<native::Record> stirred(const SoftBodyModel &model, const native::Layout &layout, int sample) {
     std::vector<native::Record> records;
     for (const int cell : layout.cell_of) {
@@ -92,8 +92,8 @@ BOOST_AUTO_TEST_CASE(drag_is_summed_per_node_in_the_order_of_links_to_the_bit) {
         for (int sample = 0; sample < 20; ++sample) {
             const auto now = stirred(model, layout, sample);
             std::vector<Vec2f> expected = plain_sum(task, layout.model, now);
-            for (std::size_t twin = layout.nodes; twin < now.size(); ++twin)
-                expected[twin] = expected[layout.nodes - 1];
+            for (std::size_t copy = layout.nodes; copy < now.size(); ++copy)
+                expected[copy] = expected[layout.nodes - 1];
             for (const native::Kernel &kernel : native::kernels()) {
                 const std::vector<Vec2f> found = pushes(kernel, task, layout, now);
                 BOOST_TEST(std::ranges::equal(

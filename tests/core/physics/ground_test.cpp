@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a node meets on its way over ground of any form.
-#include "physics/native/ground.h"
+#include "physics/ground.h"
 
 #include "base/math.h"
 #include "base/random.h"
@@ -12,7 +12,6 @@
 #include <cmath>
 
 using namespace planula;
-using native::Piece;
 
 namespace {
 
@@ -20,22 +19,20 @@ constexpr float far = std::numeric_limits<float>::infinity();
 
 /// Pieces that count how often one is looked at.
 struct Line {
-    std::vector<Piece> pieces;
+    std::vector<Piece<float>> pieces;
     mutable long looks = 0;
 
     int size() const { return static_cast<int>(pieces.size()); }
-    const Piece &operator[](int i) const { return ++looks, pieces.at(static_cast<std::size_t>(i)); }
+    const Piece<float> &operator[](int i) const { return ++looks, pieces.at(static_cast<std::size_t>(i)); }
 };
 
 Line line_of(std::vector<Vec2d> points) {
-    return {native::lay_ground({.has_ground = true, .ground = std::move(points)}, {})};
+    return {lay_ground<float>({.has_ground = true, .ground = std::move(points)}, {})};
 }
 
-int below(const Line &line, Vec2f p) { return native::piece_below(line, p.x, 0); }
+int below(const Line &line, Vec2f p) { return piece_below(line, p.x, 0); }
 
-int met(const Line &line, Vec2f start, Vec2f end) {
-    return native::piece_met(line, below(line, start), start, end);
-}
+int met(const Line &line, Vec2f start, Vec2f end) { return piece_met(line, below(line, start), start, end); }
 
 /// How high a node is above the plane of the piece below it.
 double height(const Line &line, Vec2f p) {
@@ -51,14 +48,14 @@ struct Node {
     /// One step, with a push beside its weight. Returns the gain of speed by contact.
     float step(const Line &line, Vec2f push, float friction, float dt) {
         const Vec2f before = velocity + (push + Vec2f{0, -5}) * dt;
-        piece = native::piece_below(line, position.x, piece);
-        velocity = native::contact_on_way(line, piece, position, before, friction, dt);
+        piece = piece_below(line, position.x, piece);
+        velocity = contact_on_way(line, piece, position, before, friction, dt);
         position = position + velocity * dt;
         return length(velocity) - length(before);
     }
 };
 
-/// Points of chance, some of them on upright walls or so near that they fall together, from -20 to 20.
+/// Random points from -20 to 20, some of them on upright walls or so near that they become equal by rounding.
 std::vector<Vec2d> jagged(std::uint64_t seed) {
     Stream stream(seed, 0, 0, Purpose::initial_weights);
     std::vector<Vec2d> points{{-20, 5}};
@@ -74,7 +71,7 @@ std::vector<Vec2d> jagged(std::uint64_t seed) {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(ground_that_is_level_everywhere_is_one_piece) {
-    BOOST_TEST(native::lay_ground({}, {}).empty());
+    BOOST_TEST(lay_ground<float>({}, {}).empty());
     for (const std::vector<Vec2d> &points :
          {std::vector<Vec2d>{}, {{-1, 0}, {1, 0}}, {{-20, 0}, {-3, 0}, {2, 0}, {20, 0}}}) {
         const Line line = line_of(points);
@@ -84,7 +81,7 @@ BOOST_AUTO_TEST_CASE(ground_that_is_level_everywhere_is_one_piece) {
         BOOST_TEST(line[0].plane.point.y == 0);
         BOOST_TEST((line[0].plane.normal == Vec2f{0, 1}));
     }
-    const auto seen = native::lay_ground({.has_ground = true, .ground = {{-1, 1e4}, {1, 1e4}}}, {0, 1e4 - 2});
+    const auto seen = lay_ground<float>({.has_ground = true, .ground = {{-1, 1e4}, {1, 1e4}}}, {0, 1e4 - 2});
     BOOST_TEST(seen.at(0).plane.point.y == 2);
 }
 
@@ -94,9 +91,8 @@ BOOST_AUTO_TEST_CASE(pieces_join_their_points_and_go_on_level) {
     for (int i = 1; i < line.size(); ++i) BOOST_TEST((line[i].from == line[i - 1].to));
     BOOST_TEST((line[0].from == Vec2f{-far, 0}));
     BOOST_TEST((line[1].plane.normal == Vec2f{-0.6f, 0.8f}));
-    BOOST_TEST((line[1].plane.point == Vec2f{0, 0})); // the nearest to the origin
-    BOOST_TEST(
-        (line[2].plane.normal == Vec2f{-1, 0})); // upright in float; the points at its top fall together
+    BOOST_TEST((line[1].plane.point == Vec2f{0, 0}));   // the nearest to the origin
+    BOOST_TEST((line[2].plane.normal == Vec2f{-1, 0})); // upright in float; the points at its top are equal
     BOOST_TEST((line[3].from == Vec2f{4, 5}));
     BOOST_TEST((line[3].to == Vec2f{far, 5}));
 }
@@ -106,7 +102,7 @@ BOOST_AUTO_TEST_CASE(the_piece_below_is_the_same_from_every_guess) {
     const std::pair<float, int> expected[] = {{-5, 0}, {0, 1}, {0.5, 1}, {1, 3}, {2.5, 3}, {3, 4}, {9, 4}};
     for (const auto &[x, piece] : expected)
         for (int guess = 0; guess < line.size(); ++guess)
-            BOOST_TEST(native::piece_below(line, x, guess) == piece, x << " from " << guess);
+            BOOST_TEST(piece_below(line, x, guess) == piece, x << " from " << guess);
 }
 
 BOOST_AUTO_TEST_CASE(walls_of_any_width_are_met_and_may_be_passed_over_and_left) {
@@ -147,7 +143,7 @@ BOOST_AUTO_TEST_CASE(in_a_valley_and_at_a_point_of_the_ground_a_node_comes_to_re
         }
 }
 
-BOOST_AUTO_TEST_CASE(contact_gives_no_speed_and_lets_nobody_into_the_ground) {
+BOOST_AUTO_TEST_CASE(contact_gives_no_speed_and_lets_no_node_into_the_ground) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const Line line = line_of(jagged(seed));
         Stream stream(seed, 1, 0, Purpose::initial_weights);
@@ -169,7 +165,7 @@ BOOST_AUTO_TEST_CASE(contact_gives_no_speed_and_lets_nobody_into_the_ground) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_work_of_a_step_hardly_grows_with_the_points_of_the_ground) {
+BOOST_AUTO_TEST_CASE(the_cost_of_a_step_hardly_grows_with_the_points_of_the_ground) {
     const auto looks_per_step = [](int points) {
         std::vector<Vec2d> hills;
         for (int i = 0; i < points; ++i) {
@@ -191,7 +187,6 @@ BOOST_AUTO_TEST_CASE(the_work_of_a_step_hardly_grows_with_the_points_of_the_grou
     std::vector<Vec2d> saw;
     for (int i = 0; i < 100000; ++i) saw.push_back({0.001 * i, i % 2 * 0.1});
     const Line line = line_of(saw);
-    for (int i = 0; i < 1000; ++i)
-        native::piece_below(line, 0.1f * static_cast<float>(i), 50000 - 7 * i % 1000);
+    for (int i = 0; i < 1000; ++i) piece_below(line, 0.1f * static_cast<float>(i), 50000 - 7 * i % 1000);
     BOOST_TEST(line.looks <= 1000 * 20);
 }

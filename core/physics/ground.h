@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The ground of an environment as the laws of contact read it (laws/ground.h): a plane, or the pieces of a polyline
+// (§2.5; decision 0010).
+#pragma once
+
+#include "physics/environment.h"
+#include "physics/laws/ground.h"
+#include "physics/soft_body.h"
+
+#include <vector>
+
+namespace planula {
+
+/// The point that nodes and ground are counted from: near the body, and on the ground if there is one. Numbers are
+/// finest there. It lies whole cells to the side, so that rounding of the centre of mass changes no result.
+Vec2d origin_for(const SoftBodyModel &model, const Environment &environment);
+
+/// The pieces of an environment's ground, counted from `origin`, from left to right: each begins where the one before
+/// ends, and may be upright. Without ground there are none; ground that is level everywhere is one piece. T: float or
+/// double.
+template <class T> std::vector<Piece<T>> lay_ground(const Environment &environment, Vec2d origin);
+
+} // namespace planula
