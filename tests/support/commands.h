@@ -3,7 +3,7 @@
 // leave.
 #pragma once
 
-#include "scripting/commands.h"
+#include "program/commands.h"
 #include "support/folder.h"
 #include "support/scripts.h"
 

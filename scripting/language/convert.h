@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// From a table inside Lua to a Value outside.
+#pragma once
+
+#include "language/value.h"
+
+#include <string>
+
+#include <lua.hpp>
+
+namespace planula {
+
+/// Pops the value on the stack, which `script` returned, and converts it. Raises a Lua error if it is no
+/// table, or a table in it is nested too deeply, too large, or has keys that are neither names nor 1 … n.
+Value convert(lua_State *L, const std::string &script);
+
+/// Remembers in the state which line of the main source is making the table on the stack (planula.locate), if
+/// one is. A tail call (return paper.design {…}) leaves no line: such a table stands at the script's return.
+void remember_site(lua_State *L);
+
+} // namespace planula

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// Commands that read the record of one run: who descends from whom, what an individual is.
+#include "analysis/history.h"
+#include "analysis/lineage.h"
+#include "analysis/network_picture.h"
+#include "analysis/network_text.h"
+#include "analysis/replay.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
+#include "record/csv.h"
+#include "record/genome_table.h"
+#include "record/output.h"
+#include "record/run_reader.h"
+
+#include <optional>
+#include <ostream>
+
+namespace planula {
+
+namespace {
+
+constexpr Option genome_option{"genome", "ID|best",
+                               "a champion of the run by its genome, or its best (default)"};
+
+constexpr Option lineage_options[] = {
+    {"genome", "ID|best", "any genome of the run, or its best (default)"},
+    {"copies", "", "also ancestors that are unchanged copies of their mothers"},
+};
+
+constexpr Option genome_options[] = {
+    genome_option,
+    {"generation", "G",
+     "with --slot: any individual of the run, simulated again from the nearest kept state"},
+    {"slot", "S", "its place in that generation, from 0"},
+    threads_option,
+    {"csv", "FILE", "writes the genome into FILE, with the columns of genome.csv"},
+    {"svg", "FILE", "draws the network into FILE"},
+    {"dot", "FILE", "writes the network for Graphviz into FILE"},
+};
+
+/// The id that --genome asks for; nothing for the best.
+std::optional<std::int64_t> asked_genome(const Arguments &arguments) {
+    const std::string word = arguments.text("genome", "best");
+    if (word == "best") return std::nullopt;
+    const auto id = parse_int(word);
+    if (!id || *id < 0) throw UsageError("--genome takes the number of a genome or best, not '" + word + "'");
+    return id;
+}
+
+/// Writes a file for a person. What lies there and is no file, a device say, is not replaced.
+void write_new_file(const std::filesystem::path &path, const std::string &text) {
+    if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
+        throw CreateError(path.string() + " is not a file, and is not replaced by one");
+    write_file(path, text);
+}
+
+/// The genome as a table with the columns of genome.csv.
+std::string table_text(const Genome &genome) {
+    std::string text = header_line<GenomeRow>();
+    for (const GenomeRow &row : genome_rows(genome)) text += line_of(row);
+    return text;
+}
+
+int print_lineage(const Arguments &arguments, Console &console) {
+    const std::optional<std::int64_t> asked = asked_genome(arguments);
+    const RecordedRun run = read_run(arguments.operands.at(0));
+    const std::int64_t genome = asked ? *asked : read_champion_genome(run, run.generations).id;
+    console.out << header_line<LineageRow>();
+    for (const LineageRow &row : lineage(run, genome, arguments.has("copies"))) console.out << line_of(row);
+    return 0;
+}
+
+/// An individual of a run, and how its life went.
+struct Shown {
+    int generation = 0;
+    Genome genome;
+    std::string life;
+};
+
+/// The champion with this genome, or the last one, as the run has recorded it.
+Shown champion_of(const RecordedRun &run, std::optional<std::int64_t> id) {
+    std::vector<NumberedGenome> champions = read_numbered<ChampionGenomeRow>(run.folder);
+    const std::string file = (run.folder / ChampionGenomeRow::file_name).string();
+    if (champions.empty()) throw InputError(file + ": there is no champion");
+    std::string known;
+    for (std::size_t i = 0; i < champions.size(); ++i) {
+        const NumberedGenome &champion = champions[i];
+        const bool is_asked = id ? champion.genome.id == *id : i + 1 == champions.size();
+        known.append(" ").append(to_text(champion.genome.id));
+        if (!is_asked) continue;
+        const ChampionRow row = read_champions(run).at(i);
+        return {champion.number, champion.genome,
+                to_text(row.cells) + " cells, moved " + to_text(row.displacement) + " cells, fitness " +
+                    to_text(row.fitness)};
+    }
+    throw InputError(file + ": genome " + to_text(*id) + " was never the run's best; the champions are" +
+                     known + "; any other individual is had by --generation and --slot");
+}
+
+std::string life_text(const Individual &individual) {
+    const Life &life = individual.life;
+    return std::string(name_of(life.outcome)) + ", " + to_text(life.cells) + " cells (" +
+           to_text(life.births) + " created), moved " + to_text(life.displacement()) + " cells from (" +
+           to_text(life.rest.x) + ", " + to_text(life.rest.y) + ") to (" + to_text(life.end.x) + ", " +
+           to_text(life.end.y) + "), fitness " + to_text(individual.evaluation.fitness) + ", score " +
+           to_text(individual.score);
+}
+
+/// The individual of --generation and --slot.
+Shown individual_of(const Arguments &arguments, const RecordedRun &run) {
+    if (!arguments.has("generation") || !arguments.has("slot"))
+        throw UsageError("--generation and --slot name an individual together");
+    if (arguments.has("genome"))
+        throw UsageError(
+            "--genome names a champion, --generation and --slot any individual: give one or the other");
+    const int generation = arguments.whole("generation", 0, 0), slot = arguments.whole("slot", 0, 0);
+    const OwnSetting own = recorded_setting(run);
+    const Interrupt interrupt;
+    const Individual individual = replay_individual(run, own.spec, generation, slot, threads_of(arguments),
+                                                    [&] { return interrupt.requested(); });
+    return {generation, individual.genome, life_text(individual)};
+}
+
+int print_genome(const Arguments &arguments, Console &console) {
+    const std::optional<std::int64_t> asked = asked_genome(arguments);
+    const RecordedRun run = read_run(arguments.operands.at(0));
+    const bool by_place = arguments.has("generation") || arguments.has("slot");
+    const Shown shown = by_place ? individual_of(arguments, run) : champion_of(run, asked);
+    const std::string title = run.setting + ", seed " + to_text(run.seed) + ", generation " +
+                              to_text(shown.generation) + ", genome " + to_text(shown.genome.id);
+    if (arguments.has("svg")) write_new_file(arguments.text("svg"), svg_of(shown.genome, title));
+    if (arguments.has("dot")) write_new_file(arguments.text("dot"), dot_of(shown.genome));
+    if (arguments.has("csv")) write_new_file(arguments.text("csv"), table_text(shown.genome));
+    if (arguments.has("svg") || arguments.has("dot") || arguments.has("csv")) return 0;
+    console.out << title << '\n' << shown.life << '\n' << description_of(shown.genome);
+    return 0;
+}
+
+} // namespace
+
+const Command &lineage_command() {
+    static const Command command{"lineage",
+                                 "RUN",
+                                 "prints who a run's best descends from, mother by mother, as a table",
+                                 "RUN is the folder of a complete run. A CSV table, the oldest first; "
+                                 "planula columns explains it under "
+                                 "lineage.csv.",
+                                 lineage_options,
+                                 print_lineage};
+    return command;
+}
+
+const Command &genome_command() {
+    static const Command command{"genome",
+                                 "RUN",
+                                 "prints the genome and life of an individual, or draws its network",
+                                 "RUN is the folder of a complete run. Every individual that was fitter than "
+                                 "all before it is a champion and has\n"
+                                 "its genome recorded; any other is simulated again, up to its generation, "
+                                 "from the nearest kept state, and refused "
+                                 "if\nthat generation is not as recorded. In the picture a link is the wider "
+                                 "the stronger, blue if its weight is\n"
+                                 "positive, red if negative.",
+                                 genome_options,
+                                 print_genome};
+    return command;
+}
+
+} // namespace planula

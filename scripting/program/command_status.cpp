@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "base/text.h"
+#include "program/commands.h"
+#include "program/progress.h"
+#include "program/progress_file.h"
+#include "record/run_reader.h"
+
+#include <algorithm>
+#include <map>
+#include <ostream>
+
+namespace planula {
+
+namespace {
+
+constexpr Option options[] = {
+    {"json", "", "the same as JSON, for programs"},
+    {"runs", "", "also a line for each run"},
+};
+
+/// What is known of all runs below a folder.
+struct Overview {
+    std::vector<RunStatus> runs;
+    std::map<int, int> complete; // runs by the generations that are complete
+    int under_way = 0, troubled = 0;
+    std::int64_t evaluations = 0; // complete or kept
+    std::uintmax_t bytes = 0;
+    std::vector<ProgressRow> processes;
+    double rate = 0, seconds_left_level = 0, seconds_left = 0;
+};
+
+int done_in(const RunStatus &run) { return std::max(run.complete, run.kept); }
+
+Overview overview_of(const std::filesystem::path &folder) {
+    Overview all;
+    all.runs = statuses(folder);
+    for (const RunStatus &run : all.runs) {
+        ++all.complete[run.complete];
+        all.under_way += run.kept > run.complete;
+        all.troubled += !run.trouble.empty();
+        all.evaluations += std::int64_t{done_in(run)} * run.population;
+        all.bytes += run.bytes;
+    }
+    all.processes = read_progress(folder);
+    // Processes work beside each other: whoever needs longest decides.
+    for (const ProgressRow &row : all.processes) {
+        all.rate += row.rate;
+        all.seconds_left_level = std::max(all.seconds_left_level, row.seconds_left_level);
+        all.seconds_left = std::max(all.seconds_left, row.seconds_left);
+    }
+    return all;
+}
+
+std::string size_text(std::uintmax_t bytes) {
+    constexpr double megabyte = 1e6, gigabyte = 1e9;
+    const auto size = static_cast<double>(bytes);
+    return size < gigabyte ? to_fixed(size / megabyte, 1) + " MB" : to_fixed(size / gigabyte, 2) + " GB";
+}
+
+std::string text_of(const RunStatus &run) {
+    if (!run.trouble.empty()) return run.trouble;
+    std::string text =
+        run.complete > 0 ? to_text(run.complete) + " generations complete" : "nothing complete";
+    if (run.kept > run.complete) text += ", " + to_text(run.kept) + " kept by a checkpoint";
+    return text + ", " + size_text(run.bytes);
+}
+
+void print_text(const Overview &all, bool each, std::ostream &out) {
+    for (const RunStatus &run : all.runs)
+        if (each || !run.trouble.empty()) out << run.folder.string() << ": " << text_of(run) << '\n';
+    if (all.runs.empty()) out << "there is no run, <setting>/seed-NNN, below this folder\n";
+    out << all.runs.size() << " runs, " << size_text(all.bytes) << ", " << all.evaluations
+        << " evaluations\n";
+    for (const auto &[generations, runs] : all.complete)
+        out << "  " << runs
+            << (generations > 0 ? " with " + to_text(generations) + " generations complete"
+                                : std::string(" with nothing complete"))
+            << '\n';
+    out << "  " << all.under_way << " under way to more\n";
+    if (all.troubled > 0) out << "  " << all.troubled << " that cannot be read\n";
+    if (all.processes.empty()) {
+        out << "nobody is running them now\n";
+        return;
+    }
+    for (const ProgressRow &row : all.processes)
+        out << "a process brings " << row.runs << " runs to " << row.level << " generations, "
+            << row.runs_done << " are there\n";
+    if (!(all.rate > 0)) {
+        out << "they have just begun: their pace is not known yet\n";
+        return;
+    }
+    out << to_fixed(all.rate, all.rate < 10 ? 1 : 0) << " evaluations/s, "
+        << duration_text(all.seconds_left_level) << " left for the level, " << duration_text(all.seconds_left)
+        << " for all\n";
+}
+
+/// A time that is known once there is a pace.
+std::string seconds_text(double seconds, double rate) { return rate > 0 ? to_text(seconds) : "null"; }
+
+/// A text as JSON has it.
+std::string quoted(const std::string &text) {
+    std::string result = "\"";
+    for (const char letter : text) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (letter == '"' || letter == '\\')
+            result.append("\\").append(1, letter);
+        else if (code < 0x20) {
+            constexpr const char *digits = "0123456789abcdef";
+            result.append("\\u00").append(1, digits[code >> 4]).append(1, digits[code & 15]);
+        } else
+            result.append(1, letter);
+    }
+    return result + '"';
+}
+
+void print_json(const Overview &all, std::ostream &out) {
+    out << "{\n  \"runs\": [";
+    const char *separator = "\n";
+    for (const RunStatus &run : all.runs) {
+        out << separator << "    {\"folder\": " << quoted(run.folder.string())
+            << ", \"complete\": " << run.complete << ", \"kept\": " << run.kept
+            << ", \"population\": " << run.population << ", \"bytes\": " << run.bytes
+            << ", \"trouble\": " << quoted(run.trouble) << '}';
+        separator = ",\n";
+    }
+    out << "\n  ],\n  \"complete\": [";
+    separator = "";
+    for (const auto &[generations, runs] : all.complete) {
+        out << separator << "{\"generations\": " << generations << ", \"runs\": " << runs << '}';
+        separator = ", ";
+    }
+    out << "],\n  \"under_way\": " << all.under_way << ",\n  \"evaluations\": " << all.evaluations
+        << ",\n  \"bytes\": " << all.bytes << ",\n  \"processes\": [";
+    separator = "";
+    for (const ProgressRow &row : all.processes) {
+        out << separator << "{\"level\": " << row.level << ", \"runs\": " << row.runs
+            << ", \"runs_done\": " << row.runs_done << ", \"rate\": " << to_text(row.rate)
+            << ", \"seconds_left_level\": " << seconds_text(row.seconds_left_level, row.rate)
+            << ", \"seconds_left\": " << seconds_text(row.seconds_left, row.rate) << '}';
+        separator = ", ";
+    }
+    out << "],\n  \"rate\": " << to_text(all.rate)
+        << ",\n  \"seconds_left_level\": " << seconds_text(all.seconds_left_level, all.rate)
+        << ",\n  \"seconds_left\": " << seconds_text(all.seconds_left, all.rate) << "\n}\n";
+}
+
+int print_status(const Arguments &arguments, Console &console) {
+    const Overview all = overview_of(arguments.operands.at(0));
+    if (arguments.has("json"))
+        print_json(all, console.out);
+    else
+        print_text(all, arguments.has("runs"), console.out);
+    return 0;
+}
+
+} // namespace
+
+const Command &status_command() {
+    static const Command command{"status",
+                                 "DIR",
+                                 "tells how far the runs below a folder are, and what they take on disk",
+                                 "DIR is what planula run was given as --out. How many runs have which "
+                                 "generations complete, how many are under "
+                                 "way,\nand, while processes work there, their pace and the time left.",
+                                 options,
+                                 print_status};
+    return command;
+}
+
+} // namespace planula

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The commands of planula, and the parts that several of them share.
+#pragma once
+
+#include "program/arguments.h"
+#include "statement/schema.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace planula {
+
+const Command &run_command();
+const Command &check_command();
+const Command &describe_command();
+const Command &reduce_command();
+const Command &frames_command();
+const Command &witness_command();
+const Command &sensitivity_command();
+const Command &status_command();
+const Command &lineage_command();
+const Command &genome_command();
+const Command &verify_command();
+const Command &merge_command();
+const Command &signature_command();
+const Command &pace_command();
+const Command &parameters_command();
+const Command &columns_command();
+
+/// All of them, in the order of --help.
+std::vector<const Command *> all_commands();
+
+/// Runs the command that the words after the program's name ask for. Returns the exit code (base/error.h);
+/// errors are told on console.err.
+int run_program(const std::vector<std::string> &words, Console &console);
+
+// ---- Options that several commands have -------------------------------------------------------------------
+
+inline constexpr Option generations_option{"generations", "N",
+                                           "generations of every setting, instead of the script's"};
+inline constexpr Option population_option{"population", "N",
+                                          "individuals of a generation, instead of the script's"};
+inline constexpr Option set_option{"set", "NAME=VALUE",
+                                   "a parameter of every setting; see planula parameters", true};
+inline constexpr Option threads_option{"threads", "N",
+                                       "threads to use; the results do not depend on it (default: all)"};
+inline constexpr Option lanes_option{
+    "lanes", "NAME",
+    "how many numbers are computed at once: scalar, sse2, avx2 or avx512; the results "
+    "do not depend on it (default: the most that this processor can)"};
+
+inline constexpr Option chosen_seeds_option{"seeds", "A:B|N",
+                                            "only runs of these seeds; each that is missing is told"};
+
+/// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
+Overrides overrides_of(const Arguments &arguments);
+/// Loads the experiment file that is the operand; `changes` come after those of the command line.
+Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes = {});
+/// --seeds A:B or N; without it 1 … the parameter `seeds`. Throws UsageError.
+std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
+/// One run that a command is asked for.
+struct PlannedRun {
+    std::size_t setting; // its place in the experiment
+    std::uint64_t seed;
+};
+/// What --seeds, --only and --part ask for: seed by seed, so that a command which is stopped leaves all settings alike.
+/// Throws UsageError.
+std::vector<PlannedRun> runs_of(const Arguments &arguments, const Experiment &experiment);
+/// --levels, ascending; nothing without the option. Throws UsageError.
+std::vector<int> levels_of(const Arguments &arguments);
+/// The experiment that planula run is asked for. With levels, the last of them is the length that a script's checks are
+/// made for.
+Experiment experiment_to_run(const Arguments &arguments, const Console &console);
+/// The runs that --runs and --seeds choose, and console.err to tell of those left out.
+RunChoice choice_of(const Arguments &arguments, const Experiment &experiment, Console &console);
+/// --threads, or all of the machine.
+int threads_of(const Arguments &arguments);
+/// From now on --lanes, if given. Throws UsageError with the nearest name.
+void use_lanes_of(const Arguments &arguments);
+/// Where runs of the experiment lie unless an option says otherwise: build/runs/<experiment>.
+std::string runs_folder(const Arguments &arguments, std::string_view option, const Experiment &experiment);
+
+} // namespace planula

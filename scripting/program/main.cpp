@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// planula: the command line. The experiments that belong to this program lie beside the folder it was built
+// in.
+#include "program/commands.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace {
+
+/// A launcher may close the standard descriptors; the files that a run opens must not get their numbers.
+void open_standard_descriptors() {
+    for (int file = 0; file <= 2; ++file)
+        if (::fcntl(file, F_GETFD) == -1 && errno == EBADF && ::open("/dev/null", O_RDWR) != file)
+            std::abort(); // the lowest free number is the one that was closed
+}
+
+} // namespace
+
+int main(int count, char **words) {
+    open_standard_descriptors();
+    // A reader that goes away is an error to report, not a reason to die.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::error_code unknown;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    const auto library = (program.parent_path() / ".." / "experiments").lexically_normal();
+    planula::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, library};
+    return planula::run_program({words + 1, words + count}, console);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What the judging functions of a setting mean, as a hash of each: its words without comments, layout and name,
+// and with its upvalues by name what it closes over: numbers by their bits, texts, tables by their content in
+// ascending order of keys, other functions in the same way, and functions of the library by what scripts call
+// them. A function that requires modules means their content, too; where it computes which, all that are loaded.
+// Tables and functions are numbered as they are met, so that a cycle ends and sharing counts.
+//
+// Neither file names, lines, comments nor anything else in the script counts. The name of a local variable does.
+//
+// A line does not always tell which of its functions a value is. So the script runs once more, with each function
+// on a line of its own.
+#pragma once
+
+#include "experiment/spec.h"
+#include "language/lua_state.h"
+#include "language/sources.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace planula {
+
+class Meanings {
+  public:
+    /// Runs the script. Throws what LuaState throws, and InputError if a module is missing in `sources`.
+    explicit Meanings(const Sources &sources);
+
+    /// The meaning of the functions of setting `index` (from 0), which must be there: fitness, penalty, behaviour,
+    /// and start.behaviour if it has a start. Throws InputError with the place of a function that closes over more
+    /// than 200000 values or 64 MB of text, or over a value that has no order or content.
+    std::vector<FunctionMeaning> of_setting(std::size_t index);
+
+  private:
+    FunctionMeaning of_function(int function, const std::string &name);
+
+    const Sources &sources_;
+    std::shared_ptr<Sources> apart_;
+    LuaState lua_;
+    std::map<const void *, FunctionMeaning> known_; // functions of lua_
+};
+
+} // namespace planula

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// life: what a hook sees of a finished life, read-only. Fields: activity, births, cells, displacement,
+// elongation, finish {x, y} (Life::end; `end` is a word of Lua), largest, late_actuation, links, outcome, path
+// (a list of {x, y}), rest {x, y}, settle_steps, triangles. Any other name is an error with the nearest one. So is, for
+// a life that ended with development, what is known only of a body that has moved.
+#pragma once
+
+#include "evaluation/life.h"
+
+#include <lua.hpp>
+
+namespace planula {
+
+/// The life that Lua's `life` shows at the moment; null outside a judgement.
+struct LifeSlot {
+    const Life *life;
+    bool only_grown; // it ended with development
+};
+
+/// Registers the type of `life` in a state.
+void wrap_life(lua_State *L);
+
+/// Pushes a `life` that shows nothing yet; its slot lives as long as the value does. May raise.
+LifeSlot &push_life(lua_State *L);
+
+} // namespace planula
