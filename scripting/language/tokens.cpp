@@ -166,16 +166,24 @@ struct Entry {
     std::size_t begin, end; // tokens of the entry, without the separator
 };
 
+// Where the entry that starts at `begin` ends: at the next separator outside all brackets and blocks, or where the
+// constructor closes.
+std::size_t end_of_entry(std::span<const Token> tokens, std::size_t begin, std::size_t close) {
+    int depth = 0;
+    for (std::size_t end = begin; end < close; ++end) {
+        if (depth == 0 && (is_symbol(tokens[end], ",") || is_symbol(tokens[end], ";"))) return end;
+        depth += nesting(tokens[end]);
+        if (depth < 0) return end;
+    }
+    return close;
+}
+
+// The entry of a constructor that a step leads to.
 std::optional<Entry> find_entry(std::span<const Token> tokens, std::size_t open, const Step &step) {
     const std::size_t close = closing(tokens, open);
     int position = 0;
     for (std::size_t begin = open + 1; begin < close;) {
-        // An entry ends at the next separator outside all brackets and blocks.
-        std::size_t end = begin;
-        for (int depth = 0; end < close; ++end) {
-            if (depth == 0 && (is_symbol(tokens[end], ",") || is_symbol(tokens[end], ";"))) break;
-            depth += nesting(tokens[end]);
-        }
+        const std::size_t end = end_of_entry(tokens, begin, close);
         const std::string_view key = key_at(tokens, begin);
         if (key.empty()) ++position;
         if (step.key.empty() ? key.empty() && position == step.index : key == step.key)
@@ -190,11 +198,11 @@ std::size_t find_brace(std::span<const Token> tokens, std::size_t begin, std::si
     return begin;
 }
 
-// The first mention of a key anywhere inside the constructor opened at `open`.
-std::optional<int> line_of_mention(std::span<const Token> tokens, std::size_t open, const std::string &key) {
+// The first entry with this key anywhere inside the constructor opened at `open`.
+std::optional<Entry> find_mention(std::span<const Token> tokens, std::size_t open, const std::string &key) {
     const std::size_t close = closing(tokens, open);
     for (std::size_t i = open; i < close && !key.empty(); ++i)
-        if (key_at(tokens, i) == key) return tokens[i].line;
+        if (key_at(tokens, i) == key) return Entry{i, end_of_entry(tokens, i, close)};
     return std::nullopt;
 }
 
@@ -290,8 +298,9 @@ int line_of_entry(std::span<const Token> tokens, int line, std::span<const Step>
     while (open < tokens.size() && tokens[open].line < line) ++open;
     open = find_brace(tokens, open, tokens.size());
     for (const Step &step : path) {
-        const auto entry = find_entry(tokens, open, step);
-        if (!entry) return line_of_mention(tokens, open, step.key).value_or(line);
+        auto entry = find_entry(tokens, open, step);
+        if (!entry) entry = find_mention(tokens, open, step.key);
+        if (!entry) return line;
         line = tokens[entry->begin].line;
         open = find_brace(tokens, entry->begin, entry->end);
         if (open == entry->end) break;

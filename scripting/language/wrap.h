@@ -43,12 +43,6 @@ inline const char *const modules = "modules";
 /// Compiles a source with the sandbox's globals; leaves the function, or raises.
 void load_source(lua_State *L, std::string_view text, const std::string &name);
 
-/// "; did you mean 'x'?", or nothing.
-template <class Names> std::string suggestion(std::string_view word, const Names &candidates) {
-    const std::string nearest = nearest_name(word, candidates);
-    return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
-}
-
 /// Raises the text that `make` returns, with the position of the caller in front.
 template <class Make> int raise(lua_State *L, Make make) {
     luaL_where(L, 1);

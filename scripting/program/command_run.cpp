@@ -253,8 +253,9 @@ int run_runs(const Arguments &arguments, Console &console) {
 std::vector<int> levels_of(const Arguments &arguments) {
     std::vector<int> levels;
     if (!arguments.has("levels")) return levels;
-    if (arguments.has("generations"))
-        throw UsageError("--levels and --generations say the same: give one of them");
+    for (const auto &[name, value] : overrides_of(arguments))
+        if (name == "generations")
+            throw UsageError("the parameter generations is given twice: --levels states it, too");
     const std::string words = arguments.text("levels");
     for (std::size_t at = 0; at <= words.size();) {
         const std::size_t comma = std::min(words.find(',', at), words.size());

@@ -113,6 +113,8 @@ Overrides overrides_of(const Arguments &arguments) {
     Parameters trial;
     // What is wrong with them is the command line's fault, not the script's.
     const auto add = [&](const std::string &name, const auto &value) {
+        for (const auto &[known, ignored] : overrides)
+            if (known == name) throw UsageError("the parameter " + name + " is given twice");
         try {
             overrides.emplace_back(name, value());
             set_parameter(trial, name, overrides.back().second);
@@ -133,9 +135,15 @@ Overrides overrides_of(const Arguments &arguments) {
 }
 
 Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes) {
-    Overrides overrides = overrides_of(arguments);
+    const Overrides asked = overrides_of(arguments);
+    Overrides overrides = asked;
     overrides.insert(overrides.end(), changes.begin(), changes.end());
-    return load_experiment(arguments.operands.at(0), console.library, overrides);
+    Experiment experiment = load_experiment(arguments.operands.at(0), console.library, overrides);
+    for (const auto &[name, value] : asked)
+        if (const std::string why = why_without_effect(experiment, name); !why.empty())
+            throw UsageError("--set " + name + "=" + value_text(parameter_row(name), value) +
+                             " changes nothing, as no setting of " + experiment.name + " reads it:" + why);
+    return experiment;
 }
 
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment) {

@@ -6,12 +6,14 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "language/wrap.h"
+#include "parameters/parameters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,6 +74,7 @@ class Walk {
         if (!problem_.empty()) throw InputError(place + ": " + name + " " + problem_);
         return {name, hash_.hex(), place};
     }
+    const std::set<std::string_view> &parameters() const { return parameters_; }
 
   private:
     enum Place { objects = 1, library, all_modules, bottom = all_modules }; // on the stack
@@ -124,6 +127,13 @@ class Walk {
             problem_ = "closes over more than 64 MB of text";
         else
             hash_.text(value);
+        note(value);
+    }
+
+    // Keeps a word that is the name of a parameter.
+    void note(std::string_view word) {
+        for (const ParameterRow &row : parameter_rows())
+            if (row.name == word) parameters_.insert(row.name);
     }
 
     static std::string_view name_at(lua_State *L, int index) {
@@ -258,7 +268,10 @@ class Walk {
         const std::vector<Token> body =
             body_of_function(sources_.all().at(origin->source).tokens, origin->word);
         Hash words;
-        for (const Token &token : body) words.number(static_cast<int>(token.kind)).text(token.word);
+        for (const Token &token : body) {
+            words.number(static_cast<int>(token.kind)).text(token.word);
+            note(token.word);
+        }
         text.sha256 = words.hex();
         text.requirements = requirements_of(body);
         return text;
@@ -282,6 +295,7 @@ class Walk {
     std::vector<Key> keys_;
     std::vector<Upvalue> upvalues_;
     std::map<Origin, Text> texts_;
+    std::set<std::string_view> parameters_; // whose names were met
 };
 
 } // namespace
@@ -290,28 +304,45 @@ Meanings::Meanings(const Sources &sources)
     : sources_(sources), apart_(sources.apart()), lua_(apart_, apart_->script(), roomy) {}
 
 // Settings often share their functions.
-FunctionMeaning Meanings::of_function(int function, const std::string &name) {
+const Meanings::Known &Meanings::of_function(int function, const std::string &name) {
     lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX, function);
     const auto [known, is_new] = known_.try_emplace(lua_topointer(lua_.raw(), -1));
     lua_pop(lua_.raw(), 1);
-    if (is_new) known->second = Walk(sources_, *apart_, lua_, function).named(name);
-    FunctionMeaning meaning = known->second;
-    meaning.name = name;
-    return meaning;
+    if (is_new) {
+        Walk walk(sources_, *apart_, lua_, function);
+        known->second.meaning = walk.named(name);
+        known->second.parameters = walk.parameters();
+    }
+    return known->second;
+}
+
+void Meanings::visit_functions(std::size_t index, const Visit &visit) {
+    const Value *settings = lua_.result().find("settings");
+    const Value &setting = settings ? settings->list.at(index) : lua_.result();
+    const auto visit_one = [&](const Value *owner, const std::string &key, const std::string &name) {
+        const Value *function = owner ? owner->find(key) : nullptr;
+        CHECK(function && function->is(Value::Kind::function), name);
+        visit(name, of_function(function->function, name));
+    };
+    for (const char *name : {"fitness", "penalty", "behaviour"}) visit_one(&setting, name, name);
+    if (const Value *start = setting.find("start")) visit_one(start, "behaviour", "start.behaviour");
 }
 
 std::vector<FunctionMeaning> Meanings::of_setting(std::size_t index) {
-    const Value *settings = lua_.result().find("settings");
-    const Value &setting = settings ? settings->list.at(index) : lua_.result();
     std::vector<FunctionMeaning> meanings;
-    const auto add = [&](const Value *owner, const std::string &key, const std::string &name) {
-        const Value *function = owner ? owner->find(key) : nullptr;
-        CHECK(function && function->is(Value::Kind::function), name);
-        meanings.push_back(of_function(function->function, name));
-    };
-    for (const char *name : {"fitness", "penalty", "behaviour"}) add(&setting, name, name);
-    if (const Value *start = setting.find("start")) add(start, "behaviour", "start.behaviour");
+    visit_functions(index, [&](const std::string &name, const Known &function) {
+        meanings.push_back(function.meaning);
+        meanings.back().name = name;
+    });
     return meanings;
+}
+
+bool Meanings::mentions(std::size_t index, std::string_view parameter) {
+    bool found = false;
+    visit_functions(index, [&](const std::string &, const Known &function) {
+        found = found || function.parameters.contains(parameter);
+    });
+    return found;
 }
 
 } // namespace planula

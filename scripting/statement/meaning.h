@@ -16,9 +16,12 @@
 #include "language/sources.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planula {
@@ -33,13 +36,24 @@ class Meanings {
     /// than 200000 values or 64 MB of text, or over a value that has no order or content.
     std::vector<FunctionMeaning> of_setting(std::size_t index);
 
+    /// Whether the functions of this setting may read a parameter: its name is among their words, or in a text that they
+    /// reach. Throws as of_setting() does.
+    bool mentions(std::size_t index, std::string_view parameter);
+
   private:
-    FunctionMeaning of_function(int function, const std::string &name);
+    /// What is known of a function.
+    struct Known {
+        FunctionMeaning meaning;
+        std::set<std::string_view> parameters; // that it mentions
+    };
+    using Visit = std::function<void(const std::string &name, const Known &function)>;
+    const Known &of_function(int function, const std::string &name);
+    void visit_functions(std::size_t index, const Visit &visit);
 
     const Sources &sources_;
     std::shared_ptr<Sources> apart_;
     LuaState lua_;
-    std::map<const void *, FunctionMeaning> known_; // functions of lua_
+    std::map<const void *, Known> known_; // functions of lua_
 };
 
 } // namespace planula

@@ -34,11 +34,13 @@ Place Problems::root(const Value &result, const Source &script) const {
     return {{script.name, line_of_return(script.tokens)}, {}, ""};
 }
 
-void Problems::add(const Place &place, const std::string &message) {
+std::string Problems::line_of(const Place &place) const {
     const Source *source = sources_.named(place.site.source);
     const int line = source ? line_of_entry(source->tokens, place.site.line, place.path) : place.site.line;
-    add(place.site.source + ":" + to_text(line) + ": " + message);
+    return place.site.source + ":" + to_text(line);
 }
+
+void Problems::add(const Place &place, const std::string &message) { add(line_of(place) + ": " + message); }
 
 void Problems::add(const std::string &message) {
     if (std::find(messages_.begin(), messages_.end(), message) == messages_.end())

@@ -27,6 +27,8 @@ class Problems {
   public:
     explicit Problems(const Sources &sources) : sources_(sources) {}
 
+    /// "file.lua:12", the line that states the value at a place.
+    std::string line_of(const Place &place) const;
     /// The place of a script's result as a whole.
     Place root(const Value &result, const Source &script) const;
     void add(const Place &place, const std::string &message);

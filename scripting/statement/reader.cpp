@@ -16,9 +16,7 @@ Reader::Reader(const Value &table, Place place, std::span<const std::string_view
     const std::string owner = place_.words.empty() ? "the experiment" : place_.words;
     for (const auto &[key, value] : table_.fields) {
         if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-        const std::string nearest = nearest_name(key, allowed);
-        problems_.add(place_.at(key), owner + " has no '" + key + "'" +
-                                          (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
+        problems_.add(place_.at(key), owner + " has no '" + key + "'" + suggestion(key, allowed) +
                                           " (allowed: " + list_of(allowed) + ")");
     }
     if (!list && !table_.list.empty())
@@ -82,18 +80,8 @@ void check_at(const Place &place, Problems &problems, const std::function<void()
     }
 }
 
-std::string list_of(std::span<const std::string_view> names) {
-    std::string list;
-    for (const std::string_view name : names) list.append(list.empty() ? "" : ", ").append(name);
-    return list;
-}
-
 std::string none_of(std::string_view word, std::span<const std::string_view> names) {
-    const std::string nearest = nearest_name(word, names);
-    std::string quoted = "'";
-    quoted.append(word).append("'");
-    return quoted + " is none of " + list_of(names) +
-           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+    return "'" + std::string(word) + "' is none of " + list_of(names) + suggestion(word, names);
 }
 
 } // namespace planula

@@ -113,6 +113,7 @@ class Schema {
         const std::size_t problems_before = problems_.count();
         Spec &spec = experiment_.settings.emplace_back();
         experiment_.hooks.emplace_back();
+        Places &world_places = experiment_.world_places.emplace_back();
         spec.name = reader.text("name", true);
         spec.title = reader.text("title");
         if (spec.title.empty()) spec.title = spec.name;
@@ -133,6 +134,7 @@ class Schema {
             spec.environment = std::move(world.environment);
             spec.actuation_range = world.actuation_range;
             spec.world_sources = std::move(world.sources);
+            world_places = std::move(world.places);
         }
         read_hooks(reader, spec);
         read_start(reader, spec);

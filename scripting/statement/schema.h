@@ -24,6 +24,8 @@
 #include "language/sources.h"
 #include "record/run_reader.h"
 #include "statement/judging_functions.h"
+#include "statement/overrides.h"
+#include "statement/schema_environment.h"
 #include "statement/schema_sensitivity.h"
 
 #include <filesystem>
@@ -34,13 +36,11 @@
 
 namespace planula {
 
-/// Parameters set from outside the script, in order; later ones win.
-using Overrides = std::vector<std::pair<std::string, double>>;
-
 struct Experiment {
     std::string name, title;
     std::vector<Spec> settings;
     std::vector<std::shared_ptr<Hooks>> hooks; // one per setting; its judge calls them
+    std::vector<Places> world_places;          // of each setting's environment
     Analysis analysis;
     SensitivityPlan sensitivity;
     std::shared_ptr<Sources> sources;

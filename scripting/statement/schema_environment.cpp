@@ -102,6 +102,7 @@ World read_environment(const Value &table, const Place &place, const Parameters 
     const auto quantity = [&](Reader &of, const char *key, const std::string &name, bool needed) {
         const Value *value = of.table().find(key);
         if (value && value->is(Value::Kind::text)) world.sources[name] = value->text;
+        if (value && value->is(Value::Kind::number)) world.places[name] = problems.line_of(of.at(key));
         return of.quantity(key, parameters, needed).value_or(0);
     };
     environment.gravity = quantity(reader, "gravity", "gravity", false);

@@ -13,10 +13,15 @@
 
 namespace planula {
 
+/// Where a script states a number of an environment itself, "file.lua:12", by the number's name
+/// (experiment/world_numbers.h).
+using Places = std::map<std::string, std::string, std::less<>>;
+
 struct World {
     Environment environment;
     double actuation_range = 0;
     std::map<std::string, std::string, std::less<>> sources; // Spec::world_sources
+    Places places;
 };
 
 World read_environment(const Value &table, const Place &place, const Parameters &parameters, LuaState &lua,

@@ -55,6 +55,76 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
     BOOST_TEST(!fs::exists(place.runs()));
 }
 
+namespace {
+
+/// What `planula check` says of a script with these settings and --set `word`.
+Said check_with(const std::string &settings, const std::string &word) {
+    const Workplace place("local paper = require 'paper'\n"
+                          "return paper.design { name = 'small', settings = {\n" +
+                          settings + "} }\n");
+    Said said = planula_says({"check", place.script(), "--set", word});
+    said.err = replaced(said.err + place.script(), place.script(), "small.lua");
+    return said;
+}
+
+const char *const on_land = "{ name = 'land', environment = paper.terrestrial() },\n";
+const char *const in_water = "{ name = 'water' },\n";
+const char *const on_the_moon = "{ name = 'moon', environment = paper.terrestrial {\n"
+                                "gravity = 0.8 } },\n";
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_value_that_the_script_states_itself_cannot_be_set) {
+    const Said moon = check_with(on_the_moon, "gravity=3");
+    BOOST_TEST(moon.code == 2);
+    BOOST_TEST(contains(moon.err, "--set gravity=3 changes nothing"), moon.err);
+    BOOST_TEST(contains(moon.err, "moon: small.lua:4 states the number, 0.8"), moon.err);
+    BOOST_TEST(contains(moon.err, "gravity = \"gravity\""), moon.err);
+    BOOST_TEST(check_with(std::string(on_the_moon) + on_land, "gravity=3").code == 0);
+    const Said water = check_with(std::string(on_the_moon) + in_water, "gravity=3");
+    BOOST_TEST(water.code == 2);
+    BOOST_TEST(contains(water.err, "water: its environment has no gravity"), water.err);
+    const Said drag = check_with("{ name = 'honey', environment = paper.aquatic { drag = {\nnormal = 8 } } }",
+                                 "drag_normal=3");
+    BOOST_TEST(contains(drag.err, "honey: small.lua:4 states the number, 8"), drag.err);
+    BOOST_TEST(contains(drag.err, "normal = \"drag_normal\""), drag.err);
+}
+
+BOOST_AUTO_TEST_CASE(a_value_that_no_setting_reads_cannot_be_set) {
+    const Said said = check_with(std::string(in_water) + on_land, "novelty_neighbours=5");
+    BOOST_TEST(said.code == 2);
+    BOOST_TEST(contains(said.err, "water, land: their search is 'neat'"), said.err);
+    const std::string novel = "{ name = 'novel', search = 'novelty' },\n";
+    BOOST_TEST(check_with(in_water + novel, "novelty_neighbours=5").code == 0);
+    BOOST_TEST(check_with(in_water + novel, "niche_width=2").code == 2);
+    BOOST_TEST(check_with(in_water, "settle_window=20").code == 2);
+    BOOST_TEST(check_with(in_water, "update_interval=100").code == 2);
+    // Statistics, and how much is run, are for other commands, too.
+    for (const char *word : {"confidence=0.9", "seeds=3", "generations=5", "population=9"})
+        BOOST_TEST(check_with(in_water, word).code == 0, word);
+}
+
+BOOST_AUTO_TEST_CASE(a_value_that_the_judging_functions_may_read_can_be_set) {
+    BOOST_TEST(check_with(in_water, "activity_bonus=0").code == 0);
+    BOOST_TEST(check_with("{ name = 'plain', fitness = function(life) return life.displacement end },",
+                          "activity_bonus=0")
+                   .code == 2);
+    BOOST_TEST(
+        check_with("{ name = 'heavy', fitness = function(life, p) return p.gravity end },", "gravity=1")
+            .code == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_parameter_is_set_once) {
+    const Workplace place;
+    const auto refused = [&](std::vector<std::string> words) {
+        const Said said = place.run_says(words);
+        return said.code == 2 && contains(said.err, "is given twice");
+    };
+    BOOST_TEST(refused({"--set", "population=5", "--set", "population=6"}));
+    BOOST_TEST(refused({"--set", "population=5", "--population", "6"}));
+    BOOST_TEST(refused({"--set", "generations=5", "--levels", "6"}));
+}
+
 BOOST_AUTO_TEST_CASE(a_bad_script_ends_with_65) {
     const Workplace place("return { name = 5 }");
     for (const char *command : {"check", "run", "describe", "reduce", "frames", "witness", "sensitivity"}) {
@@ -70,12 +140,12 @@ BOOST_AUTO_TEST_CASE(check_and_describe_tell_what_is_there) {
     const Said check = planula_says({"check", place.script()});
     BOOST_TEST(check.code == 0);
     BOOST_TEST(check.out == "ok: " + place.script() + ": small, 1 setting: small\n");
-    const Said describe = planula_says({"describe", place.script(), "--set", "gravity=2"});
+    const Said describe = planula_says({"describe", place.script(), "--set", "drag_normal=2"});
     BOOST_TEST(describe.code == 0);
     BOOST_TEST(contains(describe.out, "population = 6 genomes (standard 300, §2.7.2)"), describe.out);
-    const Said choice = planula_says({"describe", place.script(), "--set", "gait_time=rising"});
-    BOOST_TEST(contains(choice.out, "\n  gait_time = rising (standard held, ours): "), choice.out);
-    BOOST_TEST(contains(describe.out, "gravity = 2 cell/t.u.² (standard 5, ours)"), describe.out);
+    const Said choice = planula_says({"describe", place.script(), "--set", "division_turn=daughter"});
+    BOOST_TEST(contains(choice.out, "\n  division_turn = daughter (standard nobody, ours): "), choice.out);
+    BOOST_TEST(contains(describe.out, "drag_normal = 2 mass/cell² (standard 1, ours)"), describe.out);
 }
 
 BOOST_AUTO_TEST_CASE(the_ledger_and_the_dictionary_have_a_line_for_everything) {

@@ -2,6 +2,7 @@
 #include "statement/meaning.h"
 
 #include "base/hash.h"
+#include "statement/schema.h"
 #include "support/folder.h"
 #include "support/scripts.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "statement/schema_sensitivity.h"
 
+#include "statement/schema.h"
 #include "support/scripts.h"
 
 #include <boost/test/unit_test.hpp>
