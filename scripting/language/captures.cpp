@@ -53,7 +53,7 @@ std::uint64_t digest(lua_State *L) { return lua_istable(L, -1) ? digest_of_table
 } // namespace
 
 Captures::Captures(LuaState &lua, std::span<const int> functions) : lua_(lua), functions_(functions) {
-    if (const auto message = lua_.inspect(list, this, Limits{.memory = 128u << 20}))
+    if (const auto message = lua_.inspect(gate<list>, this, Limits{.memory = 128u << 20}))
         throw InputError(lua_.main().name + ":" + to_text(line_of_return(lua_.main().tokens)) + ": " +
                          *message);
 }

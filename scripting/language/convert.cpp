@@ -117,22 +117,11 @@ const char *name_of(Value::Kind kind) {
 }
 
 Value convert(lua_State *L, const std::string &script) {
-    if (!lua_istable(L, -1)) {
-        lua_pushfstring(L,
-                        "%s: the script must return planula.experiment {…} or paper.experiment {…}, not %s",
-                        script.c_str(), luaL_typename(L, -1));
-        lua_error(L);
-    }
-    // An exception must not cross Lua: it becomes a Lua error here, once nothing is alive.
-    Value result;
-    bool failed = false;
-    try {
-        result = Converter(L, script).value(0);
-    } catch (const InputError &error) {
-        lua_pushstring(L, error.what());
-        failed = true;
-    }
-    if (failed) lua_error(L);
+    if (!lua_istable(L, -1))
+        throw InputError(script +
+                         ": the script must return planula.experiment {…} or paper.experiment {…}, not " +
+                         luaL_typename(L, -1));
+    Value result = Converter(L, script).value(0);
     lua_pop(L, 1);
     return result;
 }

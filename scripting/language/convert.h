@@ -10,8 +10,8 @@
 
 namespace planula {
 
-/// Pops the value on the stack, which `script` returned, and converts it. Raises a Lua error if it is no
-/// table, or a table in it is nested too deeply, too large, or has keys that are neither names nor 1 … n.
+/// Pops the value on the stack, which `script` ("file.lua:12") returned, and converts it. Throws InputError if it is not
+/// a table, or a table in it is nested too deeply, too large, or has keys that are neither names nor 1 … n.
 Value convert(lua_State *L, const std::string &script);
 
 /// Remembers in the state which line of the main source is making the table on the stack (planula.locate), if

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "language/convert.h"
+#include "language/gate.h"
 #include "language/wrap.h"
 
 #include <cstdlib>
@@ -160,7 +161,7 @@ LuaState::LuaState(std::shared_ptr<Sources> sources, const Source &main, const L
     lua_State *L = host_.state = state_.get();
     luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
     lua_sethook(L, count, LUA_MASKCOUNT, instructions_between_checks);
-    if (lua_cpcall(L, start, this) == 0) return;
+    if (lua_cpcall(L, gate<start>, this) == 0) return;
     throw InputError(take_message(main.name + ":" + to_text(line_of_return(main.tokens)) + ": "));
 }
 
@@ -198,7 +199,7 @@ int LuaState::start(lua_State *L) {
 
     const Source &main = *self.host_.main;
     self.host_.loaded.push_back(&main);
-    lua_pushcfunction(L, explain);
+    lua_pushcfunction(L, gate<explain>);
     lua_pushvalue(L, -1);
     self.explain_ = luaL_ref(L, LUA_REGISTRYINDEX);
     load_source(L, main.text, main.name);

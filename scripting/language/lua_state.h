@@ -55,6 +55,7 @@ struct Host {
     int depth = 0;     // of calls from the script through C back into it, which take the stack of the machine
     std::vector<const Source *> loaded; // by this state: the script, then its modules
     bool closed = false;                // no further module may be loaded
+    std::string thrown;                 // the message of an exception on its way into Lua (language/gate.h)
 
     /// Opens the books for a call.
     void begin_call(const Limits &allowed);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The functions that scripts see, one file per table, and the few tools that these files share. Functions
-// called by Lua leave by a Lua error, which may jump over C++ destructors: no object that owns memory lives
-// while one is raised.
+// The functions that scripts see, one file per table, and the few tools that these files share. Each passes through
+// gate<…> (language/gate.h).
 #pragma once
 
 #include "base/text.h"
+#include "language/gate.h"
 #include "language/lua_state.h"
 #include "parameters/parameters.h"
 
@@ -42,16 +42,5 @@ inline const char *const modules = "modules";
 
 /// Compiles a source with the sandbox's globals; leaves the function, or raises.
 void load_source(lua_State *L, std::string_view text, const std::string &name);
-
-/// Raises the text that `make` returns, with the position of the caller in front.
-template <class Make> int raise(lua_State *L, Make make) {
-    luaL_where(L, 1);
-    {
-        const std::string text = make();
-        lua_pushlstring(L, text.data(), text.size());
-    }
-    lua_concat(L, 2);
-    return lua_error(L);
-}
 
 } // namespace planula

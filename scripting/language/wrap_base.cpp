@@ -82,7 +82,7 @@ int sorted_pairs(lua_State *L) {
     lua_pushvalue(L, 1);
     lua_insert(L, 3);
     lua_pushinteger(L, 0);
-    lua_pushcclosure(L, next_pair, 3);
+    lua_pushcclosure(L, gate<next_pair>, 3);
     return 1;
 }
 
@@ -96,7 +96,7 @@ int next_index(lua_State *L) {
 
 int each_index(lua_State *L) {
     if (!lua_istable(L, 1)) luaL_checktype(L, 1, LUA_TUSERDATA);
-    lua_pushcfunction(L, next_index);
+    lua_pushcfunction(L, gate<next_index>);
     lua_pushvalue(L, 1);
     lua_pushinteger(L, 0);
     return 3;
@@ -151,18 +151,7 @@ int guarded_pcall(lua_State *L) {
 int require(lua_State *L) {
     std::size_t size = 0;
     const char *name = luaL_checklstring(L, 1, &size);
-    const Source *source = nullptr;
-    try {
-        source = &host_of(L).sources->module({name, size});
-    } catch (const std::exception &error) {
-        lua_pushstring(L, error.what());
-    }
-    if (!source) {
-        luaL_where(L, 1);
-        lua_insert(L, -2);
-        lua_concat(L, 2);
-        return lua_error(L);
-    }
+    const Source *source = &host_of(L).sources->module({name, size});
 
     // Each module runs once; one that requires itself has no end.
     luaL_findtable(L, LUA_REGISTRYINDEX, modules, 1);
@@ -222,19 +211,17 @@ int refuse_write(lua_State *L) {
 
 // Upvalues: what the frozen table is called, and a WhyAbsent or nil; the argument is the table behind the view.
 int refuse_read(lua_State *L) {
-    return raise(L, [&] {
-        const std::string_view name = lua_tostring(L, lua_upvalueindex(1));
-        const auto why = reinterpret_cast<WhyAbsent>(lua_touserdata(L, lua_upvalueindex(2)));
-        std::vector<std::string> known;
-        for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1))
-            if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
-        std::sort(known.begin(), known.end());
-        const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
-        const std::string what = name == "a global" ? "nothing is called '" + key + "'"
-                                                    : std::string(name) + " has no '" + key + "'";
-        const std::string reason = why ? why(key) : "";
-        return what + (reason.empty() ? suggestion(key, known) : ": " + reason);
-    });
+    const std::string_view name = lua_tostring(L, lua_upvalueindex(1));
+    const auto why = reinterpret_cast<WhyAbsent>(lua_touserdata(L, lua_upvalueindex(2)));
+    std::vector<std::string> known;
+    for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1))
+        if (lua_type(L, -2) == LUA_TSTRING) known.emplace_back(lua_tostring(L, -2));
+    std::sort(known.begin(), known.end());
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
+    const std::string what =
+        name == "a global" ? "nothing is called '" + key + "'" : std::string(name) + " has no '" + key + "'";
+    const std::string reason = why ? why(key) : "";
+    throw InputError(what + (reason.empty() ? suggestion(key, known) : ": " + reason));
 }
 
 } // namespace
@@ -247,7 +234,7 @@ void freeze(lua_State *L, const char *name, WhyAbsent why) {
         lua_pushlightuserdata(L, reinterpret_cast<void *>(why));
     else
         lua_pushnil(L);
-    lua_pushcclosure(L, refuse_read, 2);
+    lua_pushcclosure(L, gate<refuse_read>, 2);
     lua_setfield(L, -2, "__index");
     lua_setmetatable(L, -2);
 
@@ -256,7 +243,7 @@ void freeze(lua_State *L, const char *name, WhyAbsent why) {
     lua_pushvalue(L, -3);
     lua_setfield(L, -2, "__index");
     lua_pushstring(L, name);
-    lua_pushcclosure(L, refuse_write, 1);
+    lua_pushcclosure(L, gate<refuse_write>, 1);
     lua_setfield(L, -2, "__newindex");
     lua_pushboolean(L, 0);
     lua_setfield(L, -2, "__metatable");
@@ -271,7 +258,7 @@ void load_inner_modules(lua_State *L) {
         const Source &source = *host.loaded[i];
         for (const Requirement &inner : source.requirements) {
             if (!inner.in_function || inner.module.empty()) continue;
-            lua_pushcfunction(L, require);
+            lua_pushcfunction(L, gate<require>);
             lua_pushstring(L, inner.module.c_str());
             if (lua_pcall(L, 1, 1, 0) != 0)
                 luaL_error(L, "%s:%d: %s", source.name.c_str(), inner.line, message_of(L, -1));
@@ -306,8 +293,9 @@ void wrap_base(lua_State *L) {
         lua_getglobal(L, name);
         lua_setfield(L, -2, name);
     }
-    const luaL_Reg own[] = {{"ipairs", each_index}, {"pairs", sorted_pairs}, {"pcall", guarded_pcall},
-                            {"require", require},   {"tostring", text_of},   {nullptr, nullptr}};
+    const luaL_Reg own[] = {{"ipairs", gate<each_index>},   {"pairs", gate<sorted_pairs>},
+                            {"pcall", gate<guarded_pcall>}, {"require", gate<require>},
+                            {"tostring", gate<text_of>},    {nullptr, nullptr}};
     luaL_register(L, nullptr, own);
 }
 

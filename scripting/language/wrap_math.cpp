@@ -48,14 +48,27 @@ int no_chance(lua_State *L) {
 } // namespace
 
 void wrap_math(lua_State *L) {
-    const luaL_Reg functions[] = {
-        {"abs", unary<absolute>},   {"atan", unary<math::atan>}, {"atan2", binary<math::atan2>},
-        {"ceil", unary<ceiling>},   {"cos", unary<math::cos>},   {"deg", unary<degrees>},
-        {"exp", unary<math::exp>},  {"floor", unary<floor>},     {"fmod", binary<remainder>},
-        {"log", unary<math::log>},  {"max", extreme<true>},      {"min", extreme<false>},
-        {"pow", binary<math::pow>}, {"rad", unary<radians>},     {"random", no_chance},
-        {"randomseed", no_chance},  {"sin", unary<math::sin>},   {"sqrt", unary<square_root>},
-        {"tan", unary<tangent>},    {"tanh", unary<math::tanh>}, {nullptr, nullptr}};
+    const luaL_Reg functions[] = {{"abs", gate<unary<absolute>>},
+                                  {"atan", gate<unary<math::atan>>},
+                                  {"atan2", gate<binary<math::atan2>>},
+                                  {"ceil", gate<unary<ceiling>>},
+                                  {"cos", gate<unary<math::cos>>},
+                                  {"deg", gate<unary<degrees>>},
+                                  {"exp", gate<unary<math::exp>>},
+                                  {"floor", gate<unary<floor>>},
+                                  {"fmod", gate<binary<remainder>>},
+                                  {"log", gate<unary<math::log>>},
+                                  {"max", gate<extreme<true>>},
+                                  {"min", gate<extreme<false>>},
+                                  {"pow", gate<binary<math::pow>>},
+                                  {"rad", gate<unary<radians>>},
+                                  {"random", gate<no_chance>},
+                                  {"randomseed", gate<no_chance>},
+                                  {"sin", gate<unary<math::sin>>},
+                                  {"sqrt", gate<unary<square_root>>},
+                                  {"tan", gate<unary<tangent>>},
+                                  {"tanh", gate<unary<math::tanh>>},
+                                  {nullptr, nullptr}};
     lua_newtable(L);
     luaL_register(L, nullptr, functions);
     lua_pushnumber(L, math::pi);

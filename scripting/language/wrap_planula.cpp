@@ -25,7 +25,7 @@ void push_value(lua_State *L, const ParameterRow &row, double value) {
 
 void wrap_planula(lua_State *L) {
     lua_newtable(L);
-    lua_pushcfunction(L, locate);
+    lua_pushcfunction(L, gate<locate>);
     lua_setfield(L, -2, "locate");
     lua_newtable(L);
     for (const ParameterRow &row : parameter_rows()) {

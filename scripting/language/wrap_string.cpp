@@ -88,8 +88,9 @@ void wrap_string(lua_State *L) {
         lua_getfield(L, -2, name);
         lua_setfield(L, -2, name);
     }
-    const luaL_Reg guarded[] = {{"find", find_plain}, {"format", format},   {"lower", charged},
-                                {"rep", repeat},      {"reverse", charged}, {"upper", charged}};
+    const luaL_Reg guarded[] = {{"find", gate<find_plain>}, {"format", gate<format>},
+                                {"lower", gate<charged>},   {"rep", gate<repeat>},
+                                {"reverse", gate<charged>}, {"upper", gate<charged>}};
     for (const auto &[name, function] : guarded) {
         lua_getfield(L, -2, name);
         lua_pushcclosure(L, function, 1);

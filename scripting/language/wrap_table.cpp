@@ -35,7 +35,7 @@ void wrap_table(lua_State *L) {
     for (const auto &[name, price] : prices) {
         lua_getfield(L, -2, name);
         lua_pushinteger(L, price);
-        lua_pushcclosure(L, charged, 2);
+        lua_pushcclosure(L, gate<charged>, 2);
         lua_setfield(L, -2, name);
     }
     lua_remove(L, -2);

@@ -87,7 +87,8 @@ class Hooks::Functions {
             CHECK(function && function->is(Value::Kind::function), name);
             *reference = function->function;
         }
-        CHECK(lua_cpcall(lua_.raw(), prepare, this) == 0);
+        if (const auto message = lua_.inspect(gate<prepare>, this, limits_of_a_call))
+            throw InputError(*message);
         captures_.emplace(lua_, std::array{penalty_, fitness_, behaviour_});
         interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unseen);
     }

@@ -69,7 +69,7 @@ class Walk {
         const std::string place = place_of(origin);
         if (!origin)
             problem_ = "is a function of the library, not of a script";
-        else if (const auto message = lua_.inspect(run, this, roomy))
+        else if (const auto message = lua_.inspect(gate<run>, this, roomy))
             problem_ = "cannot be read: " + *message;
         if (!problem_.empty()) throw InputError(place + ": " + name + " " + problem_);
         return {name, hash_.hex(), place};

@@ -153,17 +153,17 @@ int refuse_write(lua_State *L) { return luaL_error(L, "a life is read-only"); }
 
 void wrap_life(lua_State *L) {
     const std::pair<const char *, lua_CFunction> types[] = {
-        {life_type, life_index}, {path_type, path_index}, {point_type, point_index}};
+        {life_type, gate<life_index>}, {path_type, gate<path_index>}, {point_type, gate<point_index>}};
     for (const auto &[type, index] : types) {
         luaL_newmetatable(L, type);
         lua_pushcfunction(L, index);
         lua_setfield(L, -2, "__index");
-        lua_pushcfunction(L, refuse_write);
+        lua_pushcfunction(L, gate<refuse_write>);
         lua_setfield(L, -2, "__newindex");
         lua_pushboolean(L, 0);
         lua_setfield(L, -2, "__metatable");
-        if (index == path_index) {
-            lua_pushcfunction(L, path_length);
+        if (type == path_type) {
+            lua_pushcfunction(L, gate<path_length>);
             lua_setfield(L, -2, "__len");
         }
         lua_pop(L, 1);

@@ -132,6 +132,13 @@ code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !w
 code ~ /(^|[^A-Za-z0-9_])(strto(d|f|ld|l|ul|ll|ull)|ato(f|i|l|ll)|sto(d|f|ld|i|l|ll|ul|ull)) ?\(/ && !is_file("core/base/text") {
     report("text to number by a function that follows the locale: use base/text.h")
 }
+# Errors cross between C++ and Lua in one place (language/gate.h).
+code ~ /(^|[^A-Za-z0-9_])catch *\(/ && room == "language" && !is_file("scripting/language/gate") {
+    report("an exception is caught outside language/gate.h: throw, and let the gate make a Lua error of it")
+}
+code ~ /lua_c?pcall *\(/ && parts[1] == "scripting" && !is_file("scripting/language/lua_state scripting/language/wrap_base") {
+    report("a protected call outside LuaState: use call() or inspect()")
+}
 
 END {
     if (!rooms) { print "layering: no room line found"; errors++ }

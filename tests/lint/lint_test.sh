@@ -121,6 +121,8 @@ catches layering.sh 'a Stream of base/random.h' core/genome/genome.h 'void f(int
 catches layering.sh 'a Stream of base/random.h' scripting/program/main.cpp 'int f() { return rand(); }'
 catches layering.sh 'environment or locale' core/record/write.h 'auto h = std::getenv("HOME");'
 catches layering.sh 'follows the locale' core/record/write.h 'double f(const char *s) { return std::strtod(s, nullptr); }'
+catches layering.sh 'outside language/gate.h' scripting/language/state.cpp 'void f() { try { g(); } catch (...) {} }'
+catches layering.sh 'outside LuaState' scripting/program/main.cpp 'int f(lua_State *L) { return lua_pcall(L, 0, 0, 0); }'
 
 # Texts.
 catches sources.sh 'no SPDX' core/physics/bare.cpp 'int x;'
