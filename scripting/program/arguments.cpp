@@ -5,11 +5,14 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace planula {
 
 namespace {
+
+constexpr std::size_t columns = 80; // of a terminal
 
 std::string see_help(const Command &command) {
     return "\nsee planula " + std::string(command.name) + " --help";
@@ -91,23 +94,58 @@ Arguments parse_arguments(const Command &command, std::span<const std::string> w
         throw UsageError("planula " + std::string(command.name) + " needs " + std::string(command.operand) +
                          see_help(command));
     if (arguments.operands.size() > wanted && !command.operand.ends_with("..."))
-        throw UsageError("planula " + std::string(command.name) + ": '" + arguments.operands[wanted] +
-                         "' is one word too many" + see_help(command));
+        throw UsageError(
+            "planula " + std::string(command.name) +
+            (wanted == 0 ? " takes options only" : " takes one " + std::string(command.operand)) +
+            "; what is '" + arguments.operands[wanted] + "'?" + see_help(command));
     return arguments;
+}
+
+std::size_t columns_of(std::string_view text) {
+    // Every byte of UTF-8 but those that continue a letter.
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string wrapped(std::string_view text, std::size_t indent) {
+    std::string result;
+    std::size_t column = indent;
+    const char *gap = "";
+    for (std::size_t at = 0; (at = text.find_first_not_of(" \n", at)) != text.npos;) {
+        const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+        const std::size_t width = columns_of(text.substr(at, end - at));
+        if (*gap == ' ' && column + 1 + width > columns) gap = "\n";
+        result.append(gap);
+        column = *gap == '\n' ? indent : column + std::strlen(gap);
+        if (*gap == '\n') result.append(indent, ' ');
+        result.append(text.substr(at, end - at));
+        column += width;
+        gap = text.substr(end, 2) == "\n\n" ? "\n\n" : " ";
+        at = end;
+    }
+    return result;
 }
 
 std::string help_of(const Command &command) {
     std::string text = "usage: planula " + std::string(command.name);
     if (!command.operand.empty()) text += " " + std::string(command.operand);
-    for (const Option &option : command.options)
-        text += " [" + usage_of(option) + "]" + (option.repeatable ? "..." : "");
-    text += "\n\n" + std::string(command.summary) + "\n\n" + std::string(command.details) + "\n";
+    if (!command.options.empty()) text += " [OPTION]...";
+    std::string summary(command.summary);
+    summary.front() = static_cast<char>(summary.front() - 'a' + 'A');
+    text += "\n\n" + wrapped(summary + ".") + "\n\n" + wrapped(command.details) + "\n";
+    // A long usage has a line of its own.
+    constexpr std::size_t longest = 20;
     std::size_t width = 0;
-    for (const Option &option : command.options) width = std::max(width, usage_of(option).size());
+    for (const Option &option : command.options)
+        if (const std::size_t own = columns_of(usage_of(option)); own <= longest)
+            width = std::max(width, own + 4);
     if (!command.options.empty()) text += "\noptions:\n";
     for (const Option &option : command.options) {
-        const std::string usage = usage_of(option);
-        text += "  " + usage + std::string(width - usage.size() + 2, ' ') + std::string(option.help) + "\n";
+        const std::string usage = "  " + usage_of(option);
+        const bool is_long = columns_of(usage) + 2 > width;
+        text += usage +
+                (is_long ? "\n" + std::string(width, ' ') : std::string(width - columns_of(usage), ' ')) +
+                wrapped(option.help, width) + '\n';
     }
     return text;
 }

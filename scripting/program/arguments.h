@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The command line as a table: a command states its options, and parsing, --help and error messages follow
-// from that. Options are written --name value or --name=value; "--" ends them.
+// The command line as a table: a command states its options, and parsing, --help, error messages and the completion of a
+// shell follow from that. Options are written --name value or --name=value; "--" ends them.
+//
+// A library would not make this shorter: CLI11 2.1 (Debian 12) suggests no names and completes nothing, reports a misspelt
+// command as a missing one, splits `--set [a,b]`, takes the script for a second value in `--set a=1 script.lua`, and its
+// help is not wrapped.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +18,9 @@
 namespace planula {
 
 struct Option {
-    std::string_view name;  // without the dashes
-    std::string_view value; // what --help calls its value; empty: the option has none
+    std::string_view name; // without the dashes
+    std::string_view
+        value; // what --help calls its value; empty: the option has none; "a|b|c": one of these words
     std::string_view help;
     bool repeatable = false;
 };
@@ -49,8 +54,8 @@ class Arguments {
 struct Command {
     std::string_view name;
     std::string_view operand; // its one operand, or empty; ending in "..." if there may be more
-    std::string_view summary; // one line
-    std::string_view details; // paragraphs
+    std::string_view summary; // what it does, from a small letter on
+    std::string_view details; // paragraphs, with an empty line between two
     std::span<const Option> options;
     int (*run)(const Arguments &arguments, Console &console);
 };
@@ -60,5 +65,12 @@ Arguments parse_arguments(const Command &command, std::span<const std::string> w
 
 /// The text of `planula COMMAND --help`.
 std::string help_of(const Command &command);
+
+/// The text broken into lines of at most 80 columns; all but the first begin with `indent` blanks, and the first is
+/// taken to stand behind as many columns. Line breaks in the text count as blanks, empty lines stay.
+std::string wrapped(std::string_view text, std::size_t indent = 0);
+
+/// How many columns a text takes: letters, not bytes.
+std::size_t columns_of(std::string_view text);
 
 } // namespace planula

@@ -66,15 +66,15 @@ int describe(const Arguments &arguments, Console &console) {
 } // namespace
 
 const Command &check_command() {
-    static const Command command{"check",
-                                 "FILE.lua",
-                                 "tells everything that is wrong with an experiment file, at once",
-                                 "Reads the script, checks every name and number, and calls its functions on "
-                                 "made-up lives, one of each\n"
-                                 "outcome. Prints one line that starts with ok, or each problem with file, "
-                                 "line, rule and nearest name.",
-                                 check_options,
-                                 check};
+    static const Command command{
+        "check",
+        "FILE.lua",
+        "checks an experiment file and reports every error in it",
+        R"(Reads the script, checks every key and value, and calls its functions with an example of every outcome
+that the simulation of an individual can have. Prints one line that starts with ok, or every error with its file and line, what
+is allowed and the nearest name.)",
+        check_options,
+        check};
     return command;
 }
 
@@ -82,10 +82,9 @@ const Command &describe_command() {
     static const Command command{
         "describe",
         "FILE.lua",
-        "shows the resolved experiment: each setting, and where it departs from the paper",
-        "For every setting its world, actuation and search, and each parameter whose value is not the "
-        "standard one,\n"
-        "with the standard value and its origin.",
+        "prints each setting of an experiment, and where it departs from the paper",
+        R"(Prints for every setting its environment, actuation, search and functions, and each parameter whose value is not the
+standard one, with the standard value and its origin.)",
         check_options,
         describe};
     return command;

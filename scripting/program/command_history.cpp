@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands that read the record of one run: who descends from whom, what an individual is.
+// Commands that read the record of one run: the ancestors of an individual, and its genome.
 #include "analysis/history.h"
 #include "analysis/lineage.h"
 #include "analysis/network_picture.h"
@@ -22,22 +22,21 @@ namespace planula {
 namespace {
 
 constexpr Option genome_option{"genome", "ID|best",
-                               "a champion of the run by its genome, or its best (default)"};
+                               "a champion by the number of its genome (default: best, the last champion)"};
 
 constexpr Option lineage_options[] = {
-    {"genome", "ID|best", "any genome of the run, or its best (default)"},
-    {"copies", "", "also ancestors that are unchanged copies of their mothers"},
+    {"genome", "ID|best", "an individual by the number of its genome (default: best, the last champion)"},
+    {"copies", "", "also print ancestors that are unchanged copies of their mothers"},
 };
 
 constexpr Option genome_options[] = {
     genome_option,
-    {"generation", "G",
-     "with --slot: any individual of the run, simulated again from the nearest kept state"},
-    {"slot", "S", "its place in that generation, from 0"},
+    {"generation", "G", "with --slot: any individual of the run, by its generation, from 0"},
+    {"slot", "S", "the place of the individual in its generation, from 0"},
     threads_option,
-    {"csv", "FILE", "writes the genome into FILE, with the columns of genome.csv"},
-    {"svg", "FILE", "draws the network into FILE"},
-    {"dot", "FILE", "writes the network for Graphviz into FILE"},
+    {"csv", "FILE", "write the genome to FILE, with the columns of genome.csv"},
+    {"svg", "FILE", "draw the network to FILE"},
+    {"dot", "FILE", "write the network to FILE, for Graphviz"},
 };
 
 /// The id that --genome asks for; nothing for the best.
@@ -45,14 +44,15 @@ std::optional<std::int64_t> asked_genome(const Arguments &arguments) {
     const std::string word = arguments.text("genome", "best");
     if (word == "best") return std::nullopt;
     const auto id = parse_int(word);
-    if (!id || *id < 0) throw UsageError("--genome takes the number of a genome or best, not '" + word + "'");
+    if (!id || *id < 0)
+        throw UsageError("--genome takes the number of a genome, or best, not '" + word + "'");
     return id;
 }
 
 /// Writes a file for a person. What lies there and is no file, a device say, is not replaced.
 void write_new_file(const std::filesystem::path &path, const std::string &text) {
     if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
-        throw CreateError(path.string() + " is not a file, and is not replaced by one");
+        throw CreateError(path.string() + " exists and is not a file; it is not replaced");
     write_file(path, text);
 }
 
@@ -72,7 +72,7 @@ int print_lineage(const Arguments &arguments, Console &console) {
     return 0;
 }
 
-/// An individual of a run, and how its life went.
+/// An individual of a run, and its evaluation in words.
 struct Shown {
     int generation = 0;
     Genome genome;
@@ -83,7 +83,7 @@ struct Shown {
 Shown champion_of(const RecordedRun &run, std::optional<std::int64_t> id) {
     std::vector<NumberedGenome> champions = read_numbered<ChampionGenomeRow>(run.folder);
     const std::string file = (run.folder / ChampionGenomeRow::file_name).string();
-    if (champions.empty()) throw InputError(file + ": there is no champion");
+    if (champions.empty()) throw InputError(file + ": the run has no champion: no individual was valid");
     std::string known;
     for (std::size_t i = 0; i < champions.size(); ++i) {
         const NumberedGenome &champion = champions[i];
@@ -95,8 +95,8 @@ Shown champion_of(const RecordedRun &run, std::optional<std::int64_t> id) {
                 to_text(row.cells) + " cells, moved " + to_text(row.displacement) + " cells, fitness " +
                     to_text(row.fitness)};
     }
-    throw InputError(file + ": genome " + to_text(*id) + " was never the run's best; the champions are" +
-                     known + "; any other individual is had by --generation and --slot");
+    throw InputError(file + ": genome " + to_text(*id) + " is not a champion; the champions are" + known +
+                     "; name any other individual by --generation and --slot");
 }
 
 std::string life_text(const Individual &individual) {
@@ -111,10 +111,10 @@ std::string life_text(const Individual &individual) {
 /// The individual of --generation and --slot.
 Shown individual_of(const Arguments &arguments, const RecordedRun &run) {
     if (!arguments.has("generation") || !arguments.has("slot"))
-        throw UsageError("--generation and --slot name an individual together");
+        throw UsageError("--generation and --slot are given together: they name an individual");
     if (arguments.has("genome"))
-        throw UsageError(
-            "--genome names a champion, --generation and --slot any individual: give one or the other");
+        throw UsageError("give either --genome, which names a champion, or --generation and --slot, which "
+                         "name any individual");
     const int generation = arguments.whole("generation", 0, 0), slot = arguments.whole("slot", 0, 0);
     const OwnSetting own = recorded_setting(run);
     const Interrupt interrupt;
@@ -141,30 +141,29 @@ int print_genome(const Arguments &arguments, Console &console) {
 } // namespace
 
 const Command &lineage_command() {
-    static const Command command{"lineage",
-                                 "RUN",
-                                 "prints who a run's best descends from, mother by mother, as a table",
-                                 "RUN is the folder of a complete run. A CSV table, the oldest first; "
-                                 "planula columns explains it under "
-                                 "lineage.csv.",
-                                 lineage_options,
-                                 print_lineage};
+    static const Command command{
+        "lineage",
+        "RUN",
+        "prints the ancestors of an individual, mother by mother",
+        R"(RUN is the folder of a complete run. Prints a CSV table, the oldest ancestor first; planula columns explains it under
+lineage.csv.)",
+        lineage_options,
+        print_lineage};
     return command;
 }
 
 const Command &genome_command() {
-    static const Command command{"genome",
-                                 "RUN",
-                                 "prints the genome and life of an individual, or draws its network",
-                                 "RUN is the folder of a complete run. Every individual that was fitter than "
-                                 "all before it is a champion and has\n"
-                                 "its genome recorded; any other is simulated again, up to its generation, "
-                                 "from the nearest kept state, and refused "
-                                 "if\nthat generation is not as recorded. In the picture a link is the wider "
-                                 "the stronger, blue if its weight is\n"
-                                 "positive, red if negative.",
-                                 genome_options,
-                                 print_genome};
+    static const Command command{
+        "genome",
+        "RUN",
+        "prints the genome and the evaluation of an individual, or draws its network",
+        R"(RUN is the folder of a complete run. The genomes of champions, individuals that were fitter than all before them in the run,
+are recorded. Any other individual is computed again, from the nearest saved state up to its generation; if that
+generation differs from the record, the command ends with an error.
+
+In the picture, wide links are strong, blue ones have a positive weight and red ones a negative one.)",
+        genome_options,
+        print_genome};
     return command;
 }
 

@@ -11,7 +11,7 @@ namespace planula {
 
 namespace {
 
-constexpr Option parameters_options[] = {{"csv", "", "as the table parameters.csv"}};
+constexpr Option parameters_options[] = {{"csv", "", "print the table parameters.csv"}};
 
 /// The unit and the range of a number, the alternatives of a choice.
 std::string range_text(const ParameterRow &row) {
@@ -51,10 +51,9 @@ const Command &parameters_command() {
     static const Command command{
         "parameters",
         "",
-        "lists every number of the model: value, range, unit, origin, meaning",
-        "Scripts change them by parameters = { name = value }, the command line by --set name=value. "
-        "Origins: a section\n"
-        "or equation of the paper; MN: the defaults of MultiNEAT; ours: nothing public says.",
+        "lists the parameters of the model: value, range, unit, origin, meaning",
+        R"(A script sets a parameter by parameters = { name = value }, the command line by --set NAME=VALUE. The origin of a value is a section
+or equation of the paper, MN for a default of MultiNEAT, or ours if nothing published gives it.)",
         parameters_options,
         print_parameters};
     return command;
@@ -63,8 +62,8 @@ const Command &parameters_command() {
 const Command &columns_command() {
     static const Command command{"columns",
                                  "",
-                                 "explains every column of every table that planula writes",
-                                 "A CSV table: file, column, unit, meaning.",
+                                 "lists the columns of all tables that planula writes, with unit and meaning",
+                                 R"(Prints a CSV table: file, column, unit, meaning.)",
                                  {},
                                  print_columns};
     return command;

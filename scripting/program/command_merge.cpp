@@ -13,7 +13,8 @@ namespace planula {
 
 namespace {
 
-constexpr Option options[] = {{"into", "DIR", "where the runs are gathered; it need not exist"}};
+constexpr Option options[] = {
+    {"into", "DIR", "folder that receives the runs (required); it is made if it does not exist"}};
 
 /// What became of all runs.
 struct Gathered {
@@ -44,8 +45,8 @@ void gather(const std::filesystem::path &from, const std::filesystem::path &into
                 ++all.known;
                 break;
             case Merged::unfinished:
-                err << "left: " << run.folder.string()
-                    << ": under way beyond the complete run that is there; bring it to its end first\n";
+                err << "left out: " << run.folder.string()
+                    << ": it is unfinished and longer than the complete run in --into; complete it first\n";
                 ++all.unfinished;
                 break;
             }
@@ -72,11 +73,11 @@ int merge(const Arguments &arguments, Console &console) {
     for (const std::string &from : arguments.operands) gather(from, into, all, console.err);
     console.out << into.string() << ": " << all.copied << " runs copied, " << all.longer
                 << " replaced by a longer one, " << all.known << " known already, "
-                << (all.unfinished > 0 ? to_text(all.unfinished) + " left as they are under way, " : "")
+                << (all.unfinished > 0 ? to_text(all.unfinished) + " left out as unfinished, " : "")
                 << all.refused << " refused\n";
     if (all.refused > 0)
         throw InputError("merge: " + to_text(all.refused) +
-                         " runs were refused; on both sides they are as they were");
+                         " runs were refused; they are unchanged in both folders");
     return 0;
 }
 
@@ -86,12 +87,12 @@ const Command &merge_command() {
     static const Command command{
         "merge",
         "FROM...",
-        "gathers runs of several folders in one",
-        "Each FROM is what planula run was given as --out, on this machine or another. A run that is not "
-        "there yet is "
-        "copied; of\ntwo lengths of one run the longer stays, if the shorter is its beginning by the chain; "
-        "what contradicts "
-        "is refused by\nname. Runs appear whole or not at all: repeat the command if it was stopped.",
+        "gathers the runs of several folders in one",
+        R"(Each FROM is a folder that was given to planula run as --out, on this machine or another. A run that --into does not have
+is copied. If it has the run with another length, the longer one stays, provided that the chain of hashes shows the shorter one to be
+its beginning; otherwise the run is refused by name, and nothing of it is changed.
+
+A run is copied completely or not at all: if the command was stopped, give it again.)",
         options,
         merge};
     return command;

@@ -19,7 +19,7 @@ constexpr int generations_of_a_row = 10; // after generation 0, which is a row b
 constexpr std::uint64_t paced_seed = 1;
 
 constexpr Option options[] = {
-    {"until", "N", "the last generation that is measured, from 0 (default: 50)"},
+    {"until", "N", "last generation to measure, from 0 (default: 50)"},
     threads_option,
     lanes_option,
     set_option,
@@ -86,19 +86,19 @@ class PaceCommand {
             evaluations += std::int64_t{setting.parameters.population} * setting.parameters.generations;
         Progress progress(console_.err, console_.terminal, evaluations);
         console_.out << header_line<PaceRow>();
-        double all_seconds = 0, individuals = 0, lived = 0, measured = 0;
+        double all_seconds = 0, individuals = 0, simulated = 0, measured = 0;
         for (std::size_t i = 0; i < experiment_.settings.size(); ++i) {
             const std::vector<PaceRow> rows = evolve(i, progress);
             for (const PaceRow &row : rows) console_.out << line_of(row) << std::flush;
 
-            // What is not measured is assumed to go on at the pace of the last row.
+            // What is not measured is assumed to be as fast as the last row.
             const PaceRow &last = rows.back();
             all_seconds += cost(design_.settings[i].parameters, last.core_seconds / last.evaluations);
             individuals += cost(design_.settings[i].parameters, 1);
-            lived += last.evaluations - last.known;
+            simulated += last.evaluations - last.known;
             measured += last.core_seconds;
         }
-        progress.tell("all settings in their last generations here: " + to_fixed(lived / measured, 0) +
+        progress.tell("all settings, in the last row of each: " + to_fixed(simulated / measured, 0) +
                       " evaluations per core-second");
         progress.tell("the whole design of " + experiment_.name + ", " + to_fixed(individuals / 1e6, 1) +
                       " million individuals, at this pace: " + to_fixed(all_seconds / 3600, 0) +
@@ -142,12 +142,10 @@ const Command &pace_command() {
     static const Command command{
         "pace",
         "FILE.lua",
-        "measures evaluations per core-second while settings evolve, and what the whole design would take",
-        "Evolves each setting from seed 1 and prints a CSV table: generation 0, then ten generations a row. "
-        "Processor time is\ncounted, so that other programs disturb it little; nothing is written. At the "
-        "end "
-        "it says what all seeds and\ngenerations of the script would take if later generations cost what "
-        "the last ones here did.",
+        "measures the evaluations per core-second of evolving populations",
+        R"(Evolves each setting with seed 1 and prints a CSV table: generation 0, then ten generations per row. Counts
+processor time, on which other programs have little effect. Writes no file. At the end, reports how long all seeds and generations of
+the script would take if they ran as fast as the last row.)",
         options,
         measure_pace};
     return command;

@@ -12,8 +12,8 @@ namespace planula {
 namespace {
 
 constexpr Option witness_options[] = {
-    {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
-    {"out", "DIR", "where the tables go (default: build/data)"},
+    {"runs", "DIR", "folder of the runs (default: build/runs/<experiment>)"},
+    {"out", "DIR", "folder for the tables (default: build/data)"},
     chosen_seeds_option,
     generations_option,
     population_option,
@@ -23,8 +23,8 @@ constexpr Option witness_options[] = {
 constexpr auto reduce_options = std::span(witness_options).first<6>(); // on one thread
 
 constexpr Option frames_options[] = {
-    {"data", "DIR", "where best_genomes.csv is (default: build/data)"},
-    {"out", "DIR", "where the frame tables go (default: build/frames)"},
+    {"data", "DIR", "folder of best_genomes.csv (default: build/data)"},
+    {"out", "DIR", "folder for the tables of frames (default: build/frames)"},
     set_option,
 };
 
@@ -55,30 +55,29 @@ int make_frames(const Arguments &arguments, Console &console) {
 } // namespace
 
 const Command &reduce_command() {
-    static const Command command{"reduce",
-                                 "FILE.lua",
-                                 "turns runs into tidy tables: curves, end points, entropies, claims",
-                                 "Reads the runs below --runs that are this experiment's and have at least "
-                                 "its generations, as they were after "
-                                 "these\n(--generations 400 shows runs of 800 as they were at 400), says "
-                                 "which folders it leaves out and why, and "
-                                 "writes CSV\ntables, the manifest last; planula columns explains every "
-                                 "column. Claims whose data are not all there "
-                                 "stay open.",
-                                 reduce_options,
-                                 reduce_runs};
+    static const Command command{
+        "reduce",
+        "FILE.lua",
+        "computes tables from runs: curves, end points, entropies, claims",
+        R"(Reads the runs in the folder --runs that belong to this experiment and have at least its generations, as they were at
+that length: --generations 400 shows runs of 800 generations as they were at 400. Reports each folder that is left
+out, and why.
+
+Writes CSV tables, manifest.csv last; planula columns explains them. A claim stays open while data for it are missing.)",
+        reduce_options,
+        reduce_runs};
     return command;
 }
 
 const Command &frames_command() {
-    static const Command command{"frames",
-                                 "FILE.lua",
-                                 "lives the best individual of each setting again and writes its frames",
-                                 "Takes the genomes from best_genomes.csv, which planula reduce wrote, and "
-                                 "refuses them if they do not live as\n"
-                                 "recorded there.",
-                                 frames_options,
-                                 make_frames};
+    static const Command command{
+        "frames",
+        "FILE.lua",
+        "simulates the best individual of each setting and writes its frames",
+        R"(Reads the genomes from best_genomes.csv, which planula reduce writes. If an individual does not move as recorded
+there, the command ends with an error.)",
+        frames_options,
+        make_frames};
     return command;
 }
 
@@ -86,12 +85,13 @@ const Command &witness_command() {
     static const Command command{
         "witness",
         "FILE.lua",
-        "lives the champion of every run again at finer time steps and in Bullet",
-        "Reads the runs as planula reduce does and writes witness.csv, a row for each "
-        "champion, and\n"
-        "engines.csv, a row for each setting. A champion whose distance changes by more than the parameter\n"
-        "exploit_bound at half the step is flagged as an integration exploit, one that stirs on while its "
-        "muscles\nhold still as perpetual motion; one that does not live as recorded is refused.",
+        "simulates the champion of every run at finer time steps and in Bullet",
+        R"(Reads the runs as planula reduce does. Writes witness.csv, a row for each champion, and engines.csv, a row
+for each setting; planula columns explains them.
+
+A champion whose displacement at half the time step differs by more than the parameter exploit_bound is marked as an
+integration exploit. One whose body keeps moving while its muscles are held still is marked as perpetual motion. If a
+champion does not move as recorded, the command ends with an error.)",
         witness_options,
         call_witness};
     return command;

@@ -19,20 +19,21 @@ namespace planula {
 namespace {
 
 constexpr Option options[] = {
-    {"seeds", "A:B|N", "seeds A to B, or the one seed N (default: 1 to the parameter `seeds`)"},
+    {"seeds", "A:B|N", "seeds A to B, or only seed N (default: 1 to the parameter seeds)"},
     generations_option,
-    {"levels", "N,N,…", "bring all runs to each of these generations before any goes on to the next"},
+    {"levels", "N,N,...",
+     "bring all runs to the first of these generations, then all to the next, and so on"},
     population_option,
     threads_option,
     lanes_option,
     set_option,
-    {"only", "SETTING", "this setting and no other; may be repeated", true},
-    {"part", "I:N", "of all these runs every Nth, beginning with the Ith: one share of N machines or tasks"},
-    {"out", "DIR", "where the runs go (default: build/runs/<experiment>)"},
+    {"only", "SETTING", "run only this setting; may be repeated", true},
+    {"part", "I:N", "run every Nth of all runs, starting with the Ith: the share of one of N machines"},
+    {"out", "DIR", "folder for the runs (default: build/runs/<experiment>)"},
     {"checkpoint", "N", "generations between two checkpoints of a run (default: 10)"},
     {"forecast", "",
-     "run nothing: measure a few generations and say what the design takes in time, disk and memory"},
-    {"cores", "N", "with --forecast: also say how long it takes on so many cores"},
+     "run nothing; measure a few generations and report the time, disk space and memory that all runs take"},
+    {"cores", "N", "with --forecast: also report the time on N cores"},
 };
 
 // How much the memo spared, of the generations of this process.
@@ -293,16 +294,16 @@ std::vector<PlannedRun> runs_of(const Arguments &arguments, const Experiment &ex
 const Command &run_command() {
     static const Command command{"run",
                                  "FILE.lua",
-                                 "runs every setting of an experiment, for every seed",
-                                 "Each run has a folder, DIR/<setting>/seed-NNN/. A run that was stopped "
-                                 "(Ctrl-C, exit code 75) or killed resumes "
-                                 "from its\nlast checkpoint: repeat the command. One that is complete and "
-                                 "shorter than asked for becomes longer, "
-                                 "with the results\nof one that was never stopped; one that is long enough "
-                                 "is left as it is. A folder that holds "
-                                 "another run, or anything\nelse, is refused before a byte is written (exit "
-                                 "code 73). Results depend on what "
-                                 "identity.csv in the folder names alone.",
+                                 "evolves every setting of an experiment, once for each seed",
+                                 R"(The results of each run are written to DIR/<setting>/seed-NNN/.
+
+A run that was stopped (Ctrl-C, exit code 75) or killed resumes from its last checkpoint when the
+same command is given again. A complete run with fewer generations than asked for is continued;
+its results are the same as if it had never ended. A run that is long enough is left as it is. If a
+folder holds a different run or other files, the command ends with exit code 73 and changes nothing.
+
+Results depend only on what identity.csv in the folder of a run lists. They do not depend on the number of
+threads, on the machine, or on titles and comments in the script.)",
                                  options,
                                  run_runs};
     return command;

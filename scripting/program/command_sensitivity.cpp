@@ -14,10 +14,10 @@ namespace planula {
 namespace {
 
 constexpr Option options[] = {
-    {"runs", "DIR", "where the runs are (default: build/runs/<experiment>)"},
-    {"out", "DIR", "where sensitivity.csv goes (default: build/data)"},
+    {"runs", "DIR", "folder of the runs (default: build/runs/<experiment>)"},
+    {"out", "DIR", "folder for sensitivity.csv (default: build/data)"},
     chosen_seeds_option,
-    {"parameter", "NAME", "only this parameter; may be repeated", true},
+    {"parameter", "NAME", "vary only this parameter; may be repeated", true},
     generations_option,
     population_option,
     set_option,
@@ -62,7 +62,7 @@ class SensitivityCommand {
         }
     }
 
-    /// The setting with this value; none if it is not possible.
+    /// The setting with this value; nothing if it breaks a rule.
     std::optional<Spec> with(const Spec &setting, const ParameterRow &row, double value) {
         if (const WorldNumber *number = stated_instead_of(row.name, setting)) {
             Spec changed = setting;
@@ -74,7 +74,7 @@ class SensitivityCommand {
         return *experiment_of(arguments_, console_, {{std::string(row.name), value}}).find(setting.name);
     }
 
-    /// Whether the value goes with those of the other parameters; if not, it is passed over and told once.
+    /// Whether the value is consistent with those of the other parameters; if not, reports once that it is skipped.
     bool is_possible(const Spec &setting, std::string_view name, double value) {
         Parameters parameters = setting.parameters;
         set_parameter(parameters, name, value);
@@ -83,7 +83,7 @@ class SensitivityCommand {
             return true;
         } catch (const InputError &error) {
             const std::string told =
-                std::string(name) + " = " + to_text(value) + " is passed over: " + error.what();
+                std::string(name) + " = " + to_text(value) + " is skipped: " + error.what();
             if (told != told_) console_.err << told << '\n';
             told_ = told;
             return false;
@@ -96,7 +96,7 @@ class SensitivityCommand {
     const int threads_;
     std::vector<Sample> samples_;
     std::vector<SensitivityRow> rows_;
-    std::string told_; // the last value that was passed over, and why
+    std::string told_; // the last value that was skipped, and why
 };
 
 int call_sensitivity(const Arguments &arguments, Console &console) {
@@ -109,14 +109,13 @@ const Command &sensitivity_command() {
     static const Command command{
         "sensitivity",
         "FILE.lua",
-        "lives evolved individuals again with each assumed value halved and doubled",
-        "Draws individuals from the last generations of all complete runs below --runs, lives them with one "
-        "parameter\n"
-        "changed at a time, and writes sensitivity.csv: what became of displacement and viability. Sample, "
-        "factors and\n"
-        "parameters are the experiment's: sensitivity = { sample = 200, factors = { 0.5, 2 }, parameters = { "
-        "\"gravity\" } };\n"
-        "without them, 200 individuals of each setting and every value that the paper does not give.",
+        "simulates evolved individuals with each assumed value halved and doubled",
+        R"(Draws individuals from the last generations of all complete runs in the folder --runs, simulates them with one parameter
+changed at a time, and writes sensitivity.csv: how their displacement and viability change.
+
+The experiment may state how many individuals of each setting, which factors and which parameters:
+sensitivity = { sample = 200, factors = { 0.5, 2 }, parameters = { "gravity" } }.
+Otherwise they are 200 individuals, these factors, and every parameter whose value the paper does not give.)",
         options,
         call_sensitivity};
     return command;

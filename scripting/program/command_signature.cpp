@@ -16,8 +16,8 @@ constexpr std::uint64_t signed_seed = 1;
 constexpr Option options[] = {
     threads_option,
     lanes_option,
-    {"script", "FILE", "the experiment whose settings are signed (default: experiments/signature.lua)"},
-    {"compiled", "", "the signature that this program was built to have, without any run"},
+    {"script", "FILE.lua", "experiment to run (default: experiments/signature.lua)"},
+    {"compiled", "", "run nothing; print the signature that this program was built to have"},
 };
 
 std::string measured_signature(const Experiment &experiment, int threads) {
@@ -51,13 +51,10 @@ const Command &signature_command() {
     static const Command command{
         "signature",
         "",
-        "prints one hash over small runs of many settings: equal on every machine",
-        "Runs each setting of experiments/signature.lua with seed 1, in the size "
-        "that it states, and hashes every\n"
-        "generation whole: genomes, lives, evaluations, scores, species and archive. "
-        "Any difference in any bit\n"
-        "gives another line. The golden one is the revision of the model, which "
-        "planula --version states.",
+        "prints one hash over small runs of many settings, equal on every machine",
+        R"(Runs each setting of experiments/signature.lua with seed 1 and hashes every generation completely: genomes,
+lives, evaluations, scores, species and archive. A difference in any bit gives another hash. The expected
+hash is the revision of the model, whose first digits planula --version prints.)",
         options,
         print_signature};
     return command;

@@ -14,8 +14,8 @@ namespace planula {
 namespace {
 
 constexpr Option options[] = {
-    {"json", "", "the same as JSON, for programs"},
-    {"runs", "", "also a line for each run"},
+    {"json", "", "print JSON"},
+    {"runs", "", "also print a line for each run"},
 };
 
 /// What is known of all runs below a folder.
@@ -156,14 +156,14 @@ int print_status(const Arguments &arguments, Console &console) {
 } // namespace
 
 const Command &status_command() {
-    static const Command command{"status",
-                                 "DIR",
-                                 "tells how far the runs below a folder are, and what they take on disk",
-                                 "DIR is what planula run was given as --out. How many runs have which "
-                                 "generations complete, how many are under "
-                                 "way,\nand, while processes work there, their pace and the time left.",
-                                 options,
-                                 print_status};
+    static const Command command{
+        "status",
+        "DIR",
+        "reports how far the runs in a folder are, and their size on disk",
+        R"(DIR is the folder that was given to planula run as --out. Reports how many runs have completed how many
+generations, how many are unfinished, and, while processes work on them, their speed and the time left.)",
+        options,
+        print_status};
     return command;
 }
 

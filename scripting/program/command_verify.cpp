@@ -19,10 +19,9 @@ namespace {
 
 constexpr Option options[] = {
     {"share", "PERCENT",
-     "simulate at least so much of all generations again (default: 1; 0: only compare the files)"},
-    {"minutes", "M", "begin no further stretch after so many minutes (default: no limit)"},
-    {"draw", "N",
-     "the number that decides which stretches are drawn (default: another one each time; it is printed)"},
+     "simulate at least this share of all generations again (default: 1; 0: only compare the files)"},
+    {"minutes", "M", "begin no further stretch after M minutes (default: no limit)"},
+    {"draw", "N", "seed that selects the stretches (default: a new one each time, which is printed)"},
     threads_option,
     lanes_option,
 };
@@ -49,7 +48,7 @@ class VerifyCommand {
         tell();
         if (failures_.empty()) return 0;
         throw InputError("verify: " + to_text(static_cast<std::int64_t>(failures_.size())) +
-                         " of the runs are not as they were recorded");
+                         " runs differ from their record");
     }
 
   private:
@@ -57,11 +56,11 @@ class VerifyCommand {
         const std::string words = arguments.text("share", "1");
         const auto share = parse_double(words);
         if (!share || !(*share >= 0 && *share <= 100))
-            throw UsageError("--share takes a number of percent from 0 to 100, not '" + words + "'");
+            throw UsageError("--share takes a percentage, a number from 0 to 100, not '" + words + "'");
         return *share / 100;
     }
 
-    // Nobody who altered a run can know what will be drawn.
+    // Whoever altered a run cannot know what will be drawn.
     static std::uint64_t draw_of(const Arguments &arguments) {
         if (arguments.has("draw")) return static_cast<std::uint64_t>(arguments.whole("draw", 0, 0));
         const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -73,7 +72,7 @@ class VerifyCommand {
     void find_runs() {
         for (const std::filesystem::path &folder : folders_with_runs(folder_)) {
             if (!std::filesystem::exists(folder / ManifestRow::file_name)) {
-                console_.err << folder.string() << ": not complete, passed over\n";
+                console_.err << folder.string() << ": not complete, not checked\n";
                 continue;
             }
             attempt([&] { runs_.push_back(open_run(folder)); });
@@ -128,7 +127,7 @@ class VerifyCommand {
             << " generations in all: their files " << (failures_.empty() ? "agree" : "do not all agree")
             << "; " << simulated_ << " generations simulated again (" << to_fixed(100 * share, 1)
             << " %, --draw " << draw_ << ")" << (failures_.empty() ? ", all as recorded" : "") << ".\n"
-            << "One altered generation, consistent with all hashes, would have escaped with probability "
+            << "The probability that one altered generation with consistent hashes was not found is "
             << to_fixed(1 - share, 3) << ".\n";
     }
 
@@ -158,20 +157,18 @@ int verify(const Arguments &arguments, Console &console) { return VerifyCommand(
 } // namespace
 
 const Command &verify_command() {
-    static const Command command{"verify",
-                                 "DIR",
-                                 "checks that recorded runs are what the model gives",
-                                 "DIR is the folder of a run, or one with runs below it. Compares all files "
-                                 "of each run with one another, by hashes "
-                                 "and\nby the chain that binds every generation, and names the first "
-                                 "generation that differs. Then simulates "
-                                 "stretches of\ngenerations again, drawn at random between kept states, from "
-                                 "the scripts in the folder, and compares "
-                                 "every hash. Says\nwith what probability one altered generation would have "
-                                 "escaped. Exit code 65 if anything "
-                                 "differs.",
-                                 options,
-                                 verify};
+    static const Command command{
+        "verify",
+        "DIR",
+        "checks that recorded runs are unaltered and can be repeated",
+        R"(DIR is the folder of a run, or one with several runs below it. Compares all files of each run with one another, by their
+hashes and by the chain of hashes over all generations, and names the first generation that differs. Then simulates
+stretches of generations again, drawn at random, from the saved states and the scripts in the folder, and compares every
+hash.
+
+Reports with what probability one altered generation would not have been found. Exit code 65 if anything differs.)",
+        options,
+        verify};
     return command;
 }
 

@@ -19,19 +19,25 @@ constexpr std::uint64_t most_seeds = 100000;
 
 std::string help() {
     std::string text =
-        "planula evolves soft bodies that grow from one cell and move by themselves, after Joachimczak, "
-        "Suzuki\n"
-        "& Arita (2015). Experiments are Lua files; start from one of experiments/variants/.\n\n"
-        "usage: planula COMMAND [OPTION]...\n\ncommands:\n";
+        wrapped(
+            "planula evolves soft bodies that grow from one cell and move by themselves, after Joachimczak, "
+            "Suzuki & Arita (2015). An experiment is a Lua file; to write one, copy a file of "
+            "experiments/variants/.") +
+        "\n\nusage: planula COMMAND [OPTION]...\n\ncommands:\n";
+    constexpr std::size_t width = 15;
     for (const Command *command : all_commands())
-        text += "  " + std::string(command->name) + std::string(13 - command->name.size(), ' ') +
-                std::string(command->summary) + "\n";
-    return text +
-           "\n  planula COMMAND --help   explains one of them\n"
-           "  planula --version\n\n"
-           "exit codes: 0 done, 2 usage, 65 bad script or data, 70 internal, 73 cannot create, in use, or "
-           "another\n"
-           "            run's folder, 74 input or output failed, 75 stopped: the same command resumes\n";
+        text += "  " + std::string(command->name) + std::string(width - 2 - command->name.size(), ' ') +
+                wrapped(command->summary, width) + "\n";
+    return text + "\n  planula COMMAND --help   explains a command\n"
+                  "  planula --version        prints the version and the revision of the model\n\n"
+                  "exit codes:\n"
+                  "  0   done\n"
+                  "  2   the command line is wrong\n"
+                  "  65  a script or data file is wrong\n"
+                  "  70  an error of planula itself\n"
+                  "  73  an output cannot be created, or a folder is in use or holds another run\n"
+                  "  74  reading or writing failed\n"
+                  "  75  stopped; the same command resumes\n";
 }
 
 std::string version_line() {
@@ -52,7 +58,10 @@ const Command &command_called(const std::string &name) {
 
 int run_words(const std::vector<std::string> &words, Console &console) {
     if (words.empty()) throw UsageError(help());
-    if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") return console.out << help(), 0;
+    if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+        console.out << (words.size() > 1 ? help_of(command_called(words[1])) : help());
+        return 0;
+    }
     if (words[0] == "--version") return console.out << version_line(), 0;
     const Command &command = command_called(words[0]);
     const std::span rest(words.begin() + 1, words.end());
@@ -76,7 +85,7 @@ double override_of(const std::string &name, const std::string &word) {
 std::uint64_t seed_of(const std::string &text) {
     const auto seed = parse_int(text);
     if (seed && *seed >= 0) return static_cast<std::uint64_t>(*seed);
-    throw UsageError("--seeds takes A:B or N, whole numbers of 0 or more; '" + text + "' is none");
+    throw UsageError("--seeds takes A:B or N, whole numbers of 0 or more, not '" + text + "'");
 }
 
 } // namespace
@@ -85,7 +94,8 @@ std::vector<const Command *> all_commands() {
     return {&run_command(),         &status_command(), &check_command(),      &describe_command(),
             &reduce_command(),      &frames_command(), &witness_command(),    &lineage_command(),
             &sensitivity_command(), &genome_command(), &verify_command(),     &merge_command(),
-            &signature_command(),   &pace_command(),   &parameters_command(), &columns_command()};
+            &signature_command(),   &pace_command(),   &parameters_command(), &columns_command(),
+            &completion_command()};
 }
 
 int run_program(const std::vector<std::string> &words, Console &console) {

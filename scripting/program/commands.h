@@ -27,6 +27,7 @@ const Command &signature_command();
 const Command &pace_command();
 const Command &parameters_command();
 const Command &columns_command();
+const Command &completion_command();
 
 /// All of them, in the order of --help.
 std::vector<const Command *> all_commands();
@@ -38,20 +39,20 @@ int run_program(const std::vector<std::string> &words, Console &console);
 // ---- Options that several commands have -------------------------------------------------------------------
 
 inline constexpr Option generations_option{"generations", "N",
-                                           "generations of every setting, instead of the script's"};
+                                           "generations of every run (default: as the script states)"};
 inline constexpr Option population_option{"population", "N",
-                                          "individuals of a generation, instead of the script's"};
-inline constexpr Option set_option{"set", "NAME=VALUE",
-                                   "a parameter of every setting; see planula parameters", true};
-inline constexpr Option threads_option{"threads", "N",
-                                       "threads to use; the results do not depend on it (default: all)"};
+                                          "individuals of every generation (default: as the script states)"};
+inline constexpr Option set_option{
+    "set", "NAME=VALUE", "set a parameter in every setting; may be repeated; planula parameters lists them",
+    true};
+inline constexpr Option threads_option{
+    "threads", "N", "number of threads (default: one for each processor); no result depends on it"};
 inline constexpr Option lanes_option{
-    "lanes", "NAME",
-    "how many numbers are computed at once: scalar, sse2, avx2 or avx512; the results "
-    "do not depend on it (default: the most that this processor can)"};
+    "lanes", "scalar|sse2|avx2|avx512",
+    "instructions to compute with (default: the widest that this processor has); no result depends on it"};
 
-inline constexpr Option chosen_seeds_option{"seeds", "A:B|N",
-                                            "only runs of these seeds; each that is missing is told"};
+inline constexpr Option chosen_seeds_option{
+    "seeds", "A:B|N", "use only the runs of these seeds, and report each that is missing"};
 
 /// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
 Overrides overrides_of(const Arguments &arguments);

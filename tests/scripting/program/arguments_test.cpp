@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named_with_the_nearest_option) {
     BOOST_TEST(test::contains(refused({"f", "--csv=1"}), "--csv takes no value"));
     BOOST_TEST(test::contains(refused({"f", "--seeds", "1", "--seeds", "2"}), "--seeds is given twice"));
     BOOST_TEST(test::contains(refused({}), "planula test needs FILE"));
-    BOOST_TEST(test::contains(refused({"f", "g"}), "'g' is one word too many"));
+    BOOST_TEST(test::contains(refused({"f", "g"}), "planula test takes one FILE; what is 'g'?"));
     BOOST_TEST(test::contains(refused({"f", "-s", "1"}), "has no option --s"));
 }
 
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(a_command_may_have_several_operands_but_not_none) {
     const std::vector<std::string> words{"a", "--csv", "b"};
     BOOST_TEST((parse_arguments(several, words).operands == std::vector<std::string>{"a", "b"}));
     BOOST_CHECK_THROW(parse_arguments(several, std::vector<std::string>{"--csv"}), UsageError);
-    BOOST_TEST(test::contains(help_of(several), "usage: planula test FROM... ["));
+    BOOST_TEST(test::contains(help_of(several), "usage: planula test FROM... [OPTION]...\n"));
 }
 
 BOOST_AUTO_TEST_CASE(whole_numbers_are_whole_and_in_range) {
@@ -72,7 +72,23 @@ BOOST_AUTO_TEST_CASE(whole_numbers_are_whole_and_in_range) {
 
 BOOST_AUTO_TEST_CASE(help_shows_every_option) {
     const std::string help = help_of(command);
-    BOOST_TEST(test::contains(help, "usage: planula test FILE [--seeds A:B] [--set NAME=VALUE]... [--csv]"));
-    for (const char *part : {"a summary", "the details", "which seeds", "a parameter", "as a table"})
+    BOOST_TEST(test::contains(help, "usage: planula test FILE [OPTION]...\n"));
+    BOOST_TEST(test::contains(help, "\n  --set NAME=VALUE  a parameter\n"));
+    for (const char *part : {"A summary.", "the details", "which seeds", "a parameter", "as a table"})
         BOOST_TEST(test::contains(help, part), part);
+}
+
+BOOST_AUTO_TEST_CASE(long_texts_are_broken_between_words_and_keep_their_paragraphs) {
+    std::string text, word = "w…";
+    for (int i = 0; i < 100; ++i) text += (i == 0 ? "" : " ") + word;
+    text += "\n\nnext";
+    const std::string lines = wrapped(text, 4);
+    for (std::size_t at = 0, end = 0; at < lines.size(); at = end + 1) {
+        end = std::min(lines.find('\n', at), lines.size());
+        BOOST_TEST(columns_of(lines.substr(at, end - at)) <= 80);
+    }
+    BOOST_TEST(test::contains(lines, "w… w…\n    w… w…"));
+    BOOST_TEST(lines.ends_with("w…\n\n    next"));
+    BOOST_TEST(wrapped("") == "");
+    BOOST_TEST(wrapped(std::string(99, 'x')) == std::string(99, 'x'));
 }

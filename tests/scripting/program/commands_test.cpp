@@ -8,6 +8,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <cstdlib>
+#include <sstream>
 
 using namespace planula;
 using namespace planula::test;
@@ -27,6 +29,48 @@ BOOST_AUTO_TEST_CASE(help_names_every_command_and_each_has_its_own) {
         BOOST_TEST(own.code == 0, command->name);
         BOOST_TEST(contains(own.out, "usage: planula " + std::string(command->name)), command->name);
     }
+}
+
+BOOST_AUTO_TEST_CASE(help_is_plain_and_fits_a_terminal) {
+    std::vector<std::string> texts{planula_says({"--help"}).out};
+    for (const Command *command : all_commands()) {
+        texts.push_back(planula_says({"help", std::string(command->name)}).out);
+        BOOST_TEST(texts.back() == planula_says({std::string(command->name), "--help"}).out);
+    }
+    for (const std::string &text : texts) {
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) BOOST_TEST(columns_of(line) <= 80u, line);
+    }
+}
+
+namespace {
+
+/// What bash completes after these words, the last of which is begun.
+std::string completed(const std::string &words) {
+    const Workplace place;
+    test::write(place.path / "script", planula_says({"completion", "bash"}).out +
+                                           "compopt() { :; }\nCOMP_WORDS=(planula " + words +
+                                           ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_planula\n"
+                                           "echo \"${COMPREPLY[*]}\" > said\n");
+    const std::string call = "cd " + place.path.string() + " && bash script";
+    if (std::system(call.c_str()) != 0) return "bash failed";
+    const std::string said = content(place.path / "said");
+    return said.substr(0, said.size() - 1);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bash_completes_commands_options_and_values) {
+    BOOST_TEST(completed("sta") == "status");
+    BOOST_TEST(completed("run --ge") == "--generations");
+    BOOST_TEST(completed("run --lanes s") == "scalar sse2");
+    BOOST_TEST(completed("run --set frict") == "friction=");
+    BOOST_TEST(completed("sensitivity --parameter frict") == "friction");
+    BOOST_TEST(completed("genome --genome ''") == "best");
+    BOOST_TEST(completed("check ''") == "small.lua");
+    BOOST_TEST(completed("run --seeds ''") == "");
+    BOOST_TEST(completed("nonsense --x") == "");
+    BOOST_TEST(planula_says({"completion", "fish"}).code == 2);
 }
 
 BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
