@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the functions of a Lua state close over, watched: a function that judges must leave it as it is. All values
-// that the functions reach are listed once; whether one of them has changed is then a walk along that list, which
-// calls no function of the script and takes no memory.
+// Checks that functions of a Lua state do not change what they close over. All values that the functions reach are listed
+// once; to check them is then a walk along that list, which calls no function of the script and takes no memory.
 #pragma once
 
 #include "language/lua_state.h"
@@ -17,12 +16,12 @@ namespace planula {
 class Captures {
   public:
     /// Lists what these functions (references of the state) reach, with all modules if they may require them.
-    /// Throws InputError if the list takes more memory than there is. The state must outlive this.
+    /// Throws InputError if the list takes more memory than is allowed. The state must outlive this.
     Captures(LuaState &lua, std::span<const int> functions);
 
-    /// Which function reaches what has changed, by its place in `functions`; their number if only modules do; nothing
-    /// if every upvalue and every entry of a table is what it was when this was made. A table that was replaced by an
-    /// equal one has changed, too.
+    /// The index in `functions` of the first one that reaches a changed value; their number if only modules do; nothing if
+    /// every upvalue and every entry of a table is as it was at first. A table that was replaced by an equal one counts as
+    /// changed.
     std::optional<std::size_t> changed();
     /// How many values changed() looks at.
     int values() const { return values_; }

@@ -22,7 +22,7 @@ class Converter {
 
     // Converts the value at the top, which stays there.
     Value value(int depth) {
-        if (depth > deepest) fail("tables are nested more than 16 deep, or in themselves");
+        if (depth > deepest) fail("tables are nested more than 16 deep, or contain themselves");
         if (++values_ > most_values) fail("the result has more than 200000 values");
         Value result;
         switch (lua_type(L_, -1)) {
@@ -80,7 +80,8 @@ class Converter {
                   [](const auto &a, const auto &b) { return a.name < b.name; });
         std::sort(list.begin(), list.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (list[i].first != static_cast<double>(i + 1)) fail("a list has a hole or an odd index");
+            if (list[i].first != static_cast<double>(i + 1))
+                fail("a list must have the indices 1 to n, without a gap");
             result.list.push_back(std::move(list[i].second));
         }
     }
@@ -126,8 +127,8 @@ Value convert(lua_State *L, const std::string &script) {
     return result;
 }
 
-void remember_site(lua_State *L) {
-    // The sites of tables that are gone go with them: the keys are weak.
+void keep_site(lua_State *L) {
+    // The keys are weak: the site of a table is removed with the table.
     lua_getfield(L, LUA_REGISTRYINDEX, sites);
     if (!lua_istable(L, -1)) {
         lua_pop(L, 1);
@@ -140,8 +141,8 @@ void remember_site(lua_State *L) {
         lua_setfield(L, LUA_REGISTRYINDEX, sites);
     }
 
-    // Only a table that the main source asked for itself has a line there; one that a module made on its way
-    // stands where the statement stands that it belongs to.
+    // Only a table that the main source itself made has a line there; one that a module made has that of the statement it
+    // belongs to.
     const Source &main = *host_of(L).main;
     lua_Debug frame{};
     bool found = false;

@@ -14,8 +14,8 @@ namespace planula {
 /// a table, or a table in it is nested too deeply, too large, or has keys that are neither names nor 1 … n.
 Value convert(lua_State *L, const std::string &script);
 
-/// Remembers in the state which line of the main source is making the table on the stack (planula.locate), if
-/// one is. A tail call (return paper.design {…}) leaves no line: such a table stands at the script's return.
-void remember_site(lua_State *L);
+/// Keeps in the state which line of the main source is making the table on the stack, if one is (planula.locate). A tail
+/// call (return paper.design {…}) leaves no line: such a table has that of the script's return.
+void keep_site(lua_State *L);
 
 } // namespace planula

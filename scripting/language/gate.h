@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where errors cross between C++ and Lua. An exception must not pass through a frame of Lua, so every function of C++
-// that Lua calls is handed to it as gate<function>, which turns an exception into a Lua error; no other code of this room
-// catches one. In the other direction LuaState::take_message() is the only way: what the script does runs in protected
-// mode, and its error becomes a message, which the caller throws as InputError or counts.
+// that Lua calls is given to Lua as gate<function>, which turns an exception into a Lua error; no other code of this room
+// catches exceptions. In the other direction a script runs in protected mode, and LuaState::take_message() alone turns its
+// error into a text, which the caller throws as InputError or counts.
 //
-// A function behind the gate throws InputError rather than to raise a Lua error, which may jump over destructors: no object
-// that owns memory lives while one is raised.
+// A function behind the gate throws InputError where it can. A Lua error may jump over destructors: no object that owns
+// memory may exist while one is raised.
 #pragma once
 
 #include <exception>
@@ -14,7 +14,7 @@
 
 namespace planula {
 
-/// Keeps the message of an exception in the state's books.
+/// Keeps the message of an exception with the state.
 void keep_message(lua_State *L, const char *message) noexcept;
 /// Raises the message that was kept, with the position of the caller in front.
 int raise_kept_message(lua_State *L);

@@ -19,7 +19,7 @@ namespace {
 constexpr int instructions_between_checks = 100;
 constexpr int deepest_calls = 150; // from C
 
-// Processor time of this thread, in seconds: it stands still while the process is stopped or others have the processor.
+// Processor time of this thread, in seconds: it stops while the process is stopped or others use the processor.
 double worked_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -41,7 +41,7 @@ std::string position(lua_State *L) {
     return "";
 }
 
-// The handler of errors: makes each a text that says where.
+// The handler of errors: makes each a text that begins with its place.
 int explain(lua_State *L) {
     bool placed = false;
     {
@@ -54,8 +54,8 @@ int explain(lua_State *L) {
     return 1;
 }
 
-void *allocate(void *books, void *block, std::size_t old_size, std::size_t size) {
-    Host &host = *static_cast<Host *>(books);
+void *allocate(void *account, void *block, std::size_t old_size, std::size_t size) {
+    Host &host = *static_cast<Host *>(account);
     if (size == 0) {
         std::free(block);
         host.held -= old_size;
@@ -93,7 +93,7 @@ void Host::exhaust(Exhausted what) {
     if (state) where = position(state);
 }
 
-void Host::look_at_work() {
+void Host::check_seconds() {
     const double left = limits.seconds - (worked_seconds() - began);
     if (left > 0)
         deadline = from_now(left);
@@ -102,7 +102,8 @@ void Host::look_at_work() {
 }
 
 void Host::go_deeper(lua_State *L) {
-    if (depth >= deepest_calls) luaL_error(L, "calls through pcall and table.sort are nested too deep");
+    if (depth >= deepest_calls)
+        luaL_error(L, "calls through pcall and table.sort are nested more than 150 deep");
     ++depth;
 }
 
@@ -111,7 +112,7 @@ void Host::spend(lua_State *L, std::int64_t work) {
     if (instructions > limits.instructions)
         exhaust(Exhausted::instructions);
     else if (work >= instructions_between_checks && std::chrono::steady_clock::now() > deadline)
-        look_at_work();
+        check_seconds();
     if (exhausted != Exhausted::no) luaL_error(L, "the script exceeds its limits");
 }
 
@@ -130,12 +131,13 @@ std::size_t Host::place_in(std::string_view said) const {
 std::string Host::message() const {
     switch (exhausted) {
     case Exhausted::instructions:
-        return where + "the script works too long (limit: " + to_text(limits.instructions) + " instructions)";
+        return where + "the script executes too many instructions (limit: " + to_text(limits.instructions) +
+               ")";
     case Exhausted::allocated:
-        return where + "the script asks for too much memory over time (limit: " +
-               to_text(static_cast<std::int64_t>(limits.allocated >> 20)) + " MB in one call)";
+        return where + "the script allocates too much memory in one call (limit: " +
+               to_text(static_cast<std::int64_t>(limits.allocated >> 20)) + " MB)";
     case Exhausted::memory:
-        return where + "the script holds too much memory (limit: " +
+        return where + "the script uses too much memory (limit: " +
                to_text(static_cast<std::int64_t>(limits.memory >> 20)) + " MB)";
     case Exhausted::seconds:
         return where + "the script takes too long (limit: " + to_text(limits.seconds) + " s)";
@@ -146,9 +148,9 @@ std::string Host::message() const {
 }
 
 Host &host_of(lua_State *L) {
-    void *books = nullptr;
-    lua_getallocf(L, &books);
-    return *static_cast<Host *>(books);
+    void *account = nullptr;
+    lua_getallocf(L, &account);
+    return *static_cast<Host *>(account);
 }
 
 LuaState::LuaState(std::shared_ptr<Sources> sources, const Source &main, const Limits &limits)
@@ -165,7 +167,7 @@ LuaState::LuaState(std::shared_ptr<Sources> sources, const Source &main, const L
     throw InputError(take_message(main.name + ":" + to_text(line_of_return(main.tokens)) + ": "));
 }
 
-// Everything that may raise, from the first library to the tree of the result, in protected mode.
+// All that may raise an error, from the first library to the conversion of the result, in protected mode.
 int LuaState::start(lua_State *L) {
     LuaState &self = *static_cast<LuaState *>(lua_touserdata(L, 1));
 
@@ -212,7 +214,7 @@ int LuaState::start(lua_State *L) {
 std::optional<std::string> LuaState::call(int arguments, const Limits &limits) {
     lua_State *L = raw();
     host_.begin_call(limits);
-    // The function stays below its call, to say where it stands.
+    // The function stays below its call, for its line in a message.
     const int function = lua_gettop(L) - arguments;
     lua_pushvalue(L, function);
     lua_rawgeti(L, LUA_REGISTRYINDEX, explain_);

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A sandbox for guests: one LuaJIT state with an allow-list of functions, a cap on memory, a budget of work
-// that pcall cannot swallow, and a watchdog. It runs one script with its modules and keeps what that
-// returned.
+// A sandbox for scripts: one LuaJIT state with an allow-list of functions, limits on memory, instructions and time that
+// pcall cannot catch. It runs one script with its modules and keeps what the script returned.
 //
-// The just-in-time compiler is off: compiled code ignores the budget, and on some machines rounds otherwise.
-// Scripts see math (the core's functions), string without patterns, table, ipairs, pairs in ascending key
-// order, tostring, tonumber, type, select, unpack, error, assert, pcall, require and planula; nothing that
-// reads a clock, a file, an address or chance. Library tables and globals are read-only.
+// The just-in-time compiler is off: compiled code is not counted, and rounds differently on some machines. Scripts see
+// math (the core's functions), string without patterns, table, ipairs, pairs in ascending order of keys, tostring,
+// tonumber, type, select, unpack, error, assert, pcall, require and planula; nothing that reads a clock, a file, an address
+// or a random number. Library tables and globals are read-only.
 //
-// Modules are loaded while the script runs; those that a function requires by their name are loaded right after.
-// From then on `require` only hands out what is there, so that no call of a function can load anything.
+// Modules are loaded while the script runs; those that a function requires by name are loaded right after it. From then on
+// `require` only returns loaded modules, so that calling a function cannot load anything.
 #pragma once
 
 #include "language/sources.h"
@@ -28,8 +27,8 @@
 
 namespace planula {
 
-/// What a script may use of the machine. A call that exceeds `instructions` or `allocated` does so on every
-/// machine; `seconds` only catches what these two cannot see.
+/// How much a script may use. A call that exceeds `instructions` or `allocated` does so on every machine; `seconds` only
+/// catches what these two do not count.
 struct Limits {
     std::size_t memory = 64u << 20;         // bytes held at once
     std::size_t allocated = 512u << 20;     // bytes asked for during one call
@@ -37,10 +36,10 @@ struct Limits {
     double seconds = 3;                     // of a processor, during one call
 };
 
-/// Which limit a call ran into.
+/// Which limit a call exceeded.
 enum class Exhausted { no, instructions, allocated, memory, seconds };
 
-/// The books of one Lua state; every function of the sandbox reaches it through its lua_State.
+/// What one Lua state has used and may use; every function of the sandbox reaches it through its lua_State.
 struct Host {
     Sources *sources = nullptr;
     const Source *main = nullptr; // the source whose lines planula.locate() looks for
@@ -49,23 +48,24 @@ struct Host {
     std::size_t held = 0, allocated = 0;
     std::int64_t instructions = 0;
     double began = 0;                               // processor time of this thread when the call began
-    std::chrono::steady_clock::time_point deadline; // not earlier can the call have used its seconds
+    std::chrono::steady_clock::time_point deadline; // the call cannot have used its seconds before
     Exhausted exhausted = Exhausted::no;
-    std::string where; // "name:line: " of the moment of exhaustion
-    int depth = 0;     // of calls from the script through C back into it, which take the stack of the machine
+    std::string where; // "name:line: " at which the limit was exceeded
+    int depth =
+        0; // of calls from the script through C back into the script, which use the stack of the process
     std::vector<const Source *> loaded; // by this state: the script, then its modules
     bool closed = false;                // no further module may be loaded
     std::string thrown;                 // the message of an exception on its way into Lua (language/gate.h)
 
-    /// Opens the books for a call.
+    /// Starts counting for a call.
     void begin_call(const Limits &allowed);
     /// Counts `work` instructions; if that is too much, notes where and raises a Lua error.
     void spend(lua_State *L, std::int64_t work);
     void exhaust(Exhausted what);
-    /// After the deadline: ends the call, or sets the deadline anew if the processor did other things meanwhile.
-    void look_at_work();
-    /// Counts a function of C that calls back into the script, one level deeper than `depth` was. Raises a Lua error
-    /// if there are too many; who catches an error puts the depth back.
+    /// After the deadline: ends the call, or moves the deadline if the processor did other work in the meantime.
+    void check_seconds();
+    /// Counts a function of C that calls back into the script, one level deeper. Raises a Lua error if there are too many
+    /// levels; whoever catches an error restores the depth.
     void go_deeper(lua_State *L);
     std::string message() const;
     /// The length of the "name:line: " that a message begins with; 0 if it names no source of this state.
@@ -93,7 +93,7 @@ class LuaState {
     std::optional<std::string> inspect(lua_CFunction code, void *argument, const Limits &limits);
     /// Whether the functions of the script may reach modules by `require`, and not only by what they close over.
     bool requires_in_functions() const;
-    /// Whether the last call ended on a limit, and which.
+    /// Whether the last call exceeded a limit, and which.
     Exhausted exhausted() const { return host_.exhausted; }
 
   private:

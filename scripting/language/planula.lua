@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The vocabulary of every experiment file, loaded before it. `planula.parameters` (the standard value of each
--- parameter) and `planula.locate` (remembers which line of the script made a table, for error messages) come
--- from C++. Nothing here knows the paper: that is experiments/paper/.
+-- The functions of `planula` that every experiment file may use, loaded before it. `planula.parameters` (the standard
+-- value of each parameter) and `planula.locate` (keeps which line of the script made a table, for error messages) come from
+-- C++. Nothing here is about the paper: that is experiments/paper/.
 
 local function is_list(value)
   return #value > 0
@@ -17,7 +17,7 @@ local function need_table(value, name)
   end
 end
 
--- The statement with the defaults it does not mention: each key is taken whole from one of the two.
+-- The statement, with the defaults for the keys that it does not have; no value is merged.
 local function fill(statement, defaults)
   local result = {}
   for key, value in pairs(defaults) do result[key] = value end
@@ -25,7 +25,7 @@ local function fill(statement, defaults)
   return result
 end
 
--- The base with some values changed: records (drag = {normal = …}) are changed field by field, lists whole.
+-- The base with some values changed: records (drag = {normal = …}) are changed field by field, lists are replaced.
 local function change(base, changes)
   local result = {}
   for key, value in pairs(base) do result[key] = value end

@@ -104,12 +104,12 @@ const Source *Sources::named(std::string_view name) const {
     return nullptr;
 }
 
-std::shared_ptr<Sources> Sources::apart() const {
+std::shared_ptr<Sources> Sources::with_functions_on_lines() const {
     const std::shared_ptr<Sources> copy(new Sources);
     const std::lock_guard lock(mutex_);
     for (const Source &source : sources_)
         copy->add(source.module, to_text(static_cast<std::int64_t>(copy->sources_.size())),
-                  functions_apart(source.text, source.tokens));
+                  functions_on_lines(source.text, source.tokens));
     return copy;
 }
 

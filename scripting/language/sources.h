@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files that a script consists of: itself and the modules it requires. Each is read once and kept, so
-// that every Lua state of a command runs the same text even if a file changes during a long run. States of
-// several threads may share them.
+// The files of a script: itself and the modules that it requires. Each is read once and kept, so that every Lua state of a
+// command runs the same text even if a file changes during a long run. States of several threads may share them.
 //
 // Where `require "paper.judgement"` looks, first found wins: paper/judgement.lua, then
 // paper/judgement/init.lua, in the script's own folder, in each folder above it, and at last in the library
@@ -22,7 +21,7 @@ namespace planula {
 
 struct Source {
     std::string module; // as required; empty for the script itself
-    std::string name;   // as messages call the file
+    std::string name;   // the file in messages
     std::string text;
     std::string sha256;
     std::vector<Token> tokens; // words of `text`
@@ -38,16 +37,16 @@ class Sources {
     Sources(std::string name, std::string text, std::filesystem::path library);
 
     const Source &script() const;
-    /// Reads the module at its first mention. Throws InputError: an unsafe name, not found (with the folders
-    /// tried), or any error of the constructor.
+    /// Reads the module when it is first asked for. Throws InputError: an unsafe name, not found (with the folders tried), or
+    /// any error of the constructor.
     const Source &module(std::string_view name);
     /// The source of this message name; null if there is none.
     const Source *named(std::string_view name) const;
     /// Not while another thread runs a script.
     const std::deque<Source> &all() const { return sources_; }
-    /// The sources read so far, in their order, with all functions on lines of their own (functions_apart()) and
-    /// named by their number from 0: a line number of a function tells which one it is.
-    std::shared_ptr<Sources> apart() const;
+    /// The sources read so far, in their order, with each function on a line of its own, and named by their number from 0: a
+    /// line number tells which function it is.
+    std::shared_ptr<Sources> with_functions_on_lines() const;
 
   private:
     Sources() = default;

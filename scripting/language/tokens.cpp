@@ -240,9 +240,9 @@ void refuse_machine_dependent(std::span<const Token> tokens, std::string_view na
     };
     for (const Token &token : tokens) {
         if (is_symbol(token, "^"))
-            refuse(token, "gives other results on other machines; write x*x or math.pow(x, y)");
+            refuse(token, "gives different results on different machines; write x*x or math.pow(x, y)");
         if (token.kind == Token::Kind::number && is_foreign_number(token.word))
-            refuse(token, "is no number of an experiment; write it without the suffix");
+            refuse(token, "is a number of the FFI, which scripts cannot use; write it without the suffix");
     }
 }
 
@@ -261,7 +261,7 @@ std::vector<Requirement> requirements_of(std::span<const Token> tokens) {
     return found;
 }
 
-std::string functions_apart(std::string_view source, std::span<const Token> tokens) {
+std::string functions_on_lines(std::string_view source, std::span<const Token> tokens) {
     std::string text;
     std::size_t done = 0;
     for (const Token &token : tokens) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script
-// runs, and to find the line on which a key of a table constructor is stated, a function, and the modules that
-// it requires. It does not parse Lua; LuaJIT does.
+// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script runs, and to
+// find the line that states a key of a table constructor, the text of a function, and the modules that it requires. LuaJIT
+// alone parses Lua.
 #pragma once
 
 #include <span>
@@ -28,14 +28,14 @@ void refuse_machine_dependent(std::span<const Token> tokens, std::string_view na
 
 /// A `require` in a source.
 struct Requirement {
-    std::string module; // as written; empty: computed, or handed on as a value
+    std::string module; // as written; empty: computed, or `require` is used as a value
     int line = 0;
-    bool in_function = false; // and not run once, when the source is
+    bool in_function = false; // and not at the top level of the source
 };
 std::vector<Requirement> requirements_of(std::span<const Token> tokens);
 
 /// The source with a line feed before each word `function`, so that no two functions begin on one line.
-std::string functions_apart(std::string_view source, std::span<const Token> tokens);
+std::string functions_on_lines(std::string_view source, std::span<const Token> tokens);
 
 /// The place of the last word `function` on or before `line`; the number of tokens if there is none.
 std::size_t function_before(std::span<const Token> tokens, int line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script returned, as a plain tree outside Lua: no call into Lua can fail while it is read.
+// What a script returned, as a tree outside Lua, which is read without calls into Lua that could fail.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct Value {
     int function = 0;          // a reference of the Lua state that the value came from
     std::vector<Value> list;   // of a table: entries 1 … n
     std::vector<Field> fields; // of a table: named entries, ascending by name
-    Site site;                 // of a table that planula.locate() was told of
+    Site site;                 // of a table that was given to planula.locate()
 
     bool is(Kind k) const { return kind == k; }
     /// The field of that name; null if there is none.

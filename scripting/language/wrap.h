@@ -20,21 +20,21 @@ void wrap_string(lua_State *L);
 void wrap_table(lua_State *L);
 void wrap_planula(lua_State *L);
 
-/// Why a read-only table does not have a name; "" if that is all there is to say.
+/// The reason why a read-only table does not have a name, for the message; "" for none.
 using WhyAbsent = std::string (*)(std::string_view name);
 
 /// Replaces the table on the stack by a read-only view of it: a write, or the reading of a name that it does
 /// not have, is an error that calls it `name`.
 void freeze(lua_State *L, const char *name, WhyAbsent why = nullptr);
 
-/// Loads the modules that functions require by name, and closes the state to further ones. Raises if one fails.
+/// Loads the modules that functions require by name; none can be loaded after that. Raises an error if one fails.
 void load_inner_modules(lua_State *L);
 
 /// Pushes a parameter's value: a number, or the name of a choice.
 void push_value(lua_State *L, const ParameterRow &row, double value);
 
-/// Keeps in the registry, as the table `library_names`, what scripts call each function and table of the library:
-/// library_names[value] = "math.sqrt". The rest of what a script holds is its own.
+/// Keeps in the registry, as the table `library_names`, the name that scripts use for each function and table of the
+/// library: library_names[value] = "math.sqrt".
 void name_library(lua_State *L);
 inline const char *const library_names = "library names";
 /// The modules of the state by name, a table of the registry.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The globals: what remains of Lua's base library when nothing may read an address, a file or an order that
-// changes from process to process.
+// The globals: the functions of Lua's base library that read no address, no file, and no order that changes from process to
+// process.
 #include "base/error.h"
 #include "language/wrap.h"
 
@@ -25,7 +25,7 @@ struct Key {
     }
 };
 
-// The order of the keys in list `keys` (a stack index): the list, sorted, on top.
+// Writes the keys of list `keys` (a stack index), sorted, into the list on top.
 void sort_keys(lua_State *L, int keys, int count) {
     std::vector<Key> order;
     for (int i = 1; i <= count; ++i) {
@@ -43,7 +43,7 @@ void sort_keys(lua_State *L, int keys, int count) {
     }
 }
 
-// Upvalues: the table, its sorted keys, how many were handed out.
+// Upvalues: the table, its sorted keys, how many were returned.
 int next_pair(lua_State *L) {
     const lua_Integer place = lua_tointeger(L, lua_upvalueindex(3)) + 1;
     lua_pushinteger(L, place);
@@ -58,14 +58,15 @@ int next_pair(lua_State *L) {
 int sorted_pairs(lua_State *L) {
     luaL_checktype(L, 1, LUA_TTABLE);
     lua_settop(L, 1);
-    // A read-only view is walked through.
+    // Of a read-only view, the table behind it.
     if (luaL_getmetafield(L, 1, "__index")) lua_replace(L, 1);
 
     int count = 0;
     for (lua_pushnil(L); lua_next(L, 1); lua_pop(L, 1)) {
         const int type = lua_type(L, -2);
         if (type != LUA_TNUMBER && type != LUA_TSTRING)
-            return luaL_error(L, "pairs: a key of type %s has no place in an order", lua_typename(L, type));
+            return luaL_error(L, "pairs: keys of type %s have no order; use numbers and texts",
+                              lua_typename(L, type));
         ++count;
     }
     host_of(L).spend(L, 20L * count);
@@ -119,8 +120,8 @@ int text_of(lua_State *L) {
     return 1;
 }
 
-// Takes from the message at the top what depends on where the script stands and on the machine: the names and lines
-// in front, and the folders that `require` tells below its first line.
+// Removes from the message at the top what depends on the folder of the script and on the machine: the names and lines in
+// front, and the folders that `require` lists after its first line.
 void strip_places(lua_State *L) {
     if (lua_type(L, -1) != LUA_TSTRING) return;
     std::size_t size = 0;
@@ -132,8 +133,8 @@ void strip_places(lua_State *L) {
     lua_replace(L, -2);
 }
 
-// pcall that gives an exceeded limit on to its caller, and shows a message without its place: neither a line nor the
-// name of a file may decide anything.
+// pcall that passes an exceeded limit to its caller, and returns a message without its place: no result may depend on a
+// line or the name of a file.
 int guarded_pcall(lua_State *L) {
     luaL_checkany(L, 1);
     Host &host = host_of(L);
@@ -153,14 +154,14 @@ int require(lua_State *L) {
     const char *name = luaL_checklstring(L, 1, &size);
     const Source *source = &host_of(L).sources->module({name, size});
 
-    // Each module runs once; one that requires itself has no end.
+    // Each module runs once; one that requires itself would never end.
     luaL_findtable(L, LUA_REGISTRYINDEX, modules, 1);
     lua_getfield(L, -1, source->module.c_str());
     if (lua_type(L, -1) == LUA_TSTRING) return luaL_error(L, "module '%s' requires itself", name);
     if (!lua_isnil(L, -1)) return 1;
     lua_pop(L, 1);
     if (host_of(L).closed)
-        return luaL_error(L, "module '%s' is not loaded; write outside of functions: require '%s'", name,
+        return luaL_error(L, "module '%s' is not loaded; write outside all functions: require '%s'", name,
                           name);
     host_of(L).loaded.push_back(source);
     lua_pushstring(L, being_loaded);
@@ -227,7 +228,7 @@ int refuse_read(lua_State *L) {
 } // namespace
 
 void freeze(lua_State *L, const char *name, WhyAbsent why) {
-    // Behind the view, the table itself answers for names that it lacks.
+    // A name that the table does not have is an error.
     lua_createtable(L, 0, 1);
     lua_pushstring(L, name);
     if (why)
@@ -285,7 +286,7 @@ void load_source(lua_State *L, std::string_view text, const std::string &name) {
 }
 
 void wrap_base(lua_State *L) {
-    // Lua's own base functions are opened out of reach; the harmless ones are handed on.
+    // Lua's own base functions go where scripts do not reach them; the harmless ones are copied.
     lua_pushcfunction(L, luaopen_base);
     lua_call(L, 0, 0);
     lua_newtable(L);

@@ -40,9 +40,9 @@ template <bool largest> int extreme(lua_State *L) {
     return 1;
 }
 
-int no_chance(lua_State *L) {
+int no_random(lua_State *L) {
     return luaL_error(L,
-                      "use of chance is not allowed in scripts: the same life must always be judged alike");
+                      "random numbers are not allowed in scripts: the same life must always be judged alike");
 }
 
 } // namespace
@@ -62,8 +62,8 @@ void wrap_math(lua_State *L) {
                                   {"min", gate<extreme<false>>},
                                   {"pow", gate<binary<math::pow>>},
                                   {"rad", gate<unary<radians>>},
-                                  {"random", gate<no_chance>},
-                                  {"randomseed", gate<no_chance>},
+                                  {"random", gate<no_random>},
+                                  {"randomseed", gate<no_random>},
                                   {"sin", gate<unary<math::sin>>},
                                   {"sqrt", gate<unary<square_root>>},
                                   {"tan", gate<unary<tangent>>},

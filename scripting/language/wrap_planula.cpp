@@ -11,7 +11,7 @@ namespace {
 int locate(lua_State *L) {
     luaL_checktype(L, 1, LUA_TTABLE);
     lua_settop(L, 1);
-    remember_site(L);
+    keep_site(L);
     return 1;
 }
 

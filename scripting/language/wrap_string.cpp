@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// string: without patterns, whose time has no bound, and without what shows addresses or bytecode. LuaJIT
-// formats numbers and changes case itself, without locale.
+// string: without patterns, which may take any time, and without functions that show addresses or bytecode. LuaJIT formats
+// numbers and changes case itself, without locale.
 #include "language/wrap.h"
 
 namespace planula {
@@ -22,7 +22,7 @@ int find_plain(lua_State *L) {
     return lua_gettop(L);
 }
 
-// string.rep, charged for the length of its result; upvalue: Lua's own.
+// string.rep, which counts as instructions by the length of its result; upvalue: Lua's own.
 int repeat(lua_State *L) {
     std::size_t size = 0;
     luaL_checklstring(L, 1, &size);
@@ -37,8 +37,8 @@ int repeat(lua_State *L) {
     return 1;
 }
 
-// string.upper and the like, charged for the length of the text; upvalue: Lua's own.
-int charged(lua_State *L) {
+// string.upper and the like, which count as instructions by the length of the text; upvalue: Lua's own.
+int counted(lua_State *L) {
     std::size_t size = 0;
     luaL_checklstring(L, 1, &size);
     host_of(L).spend(L, static_cast<std::int64_t>(size));
@@ -89,8 +89,8 @@ void wrap_string(lua_State *L) {
         lua_setfield(L, -2, name);
     }
     const luaL_Reg guarded[] = {{"find", gate<find_plain>}, {"format", gate<format>},
-                                {"lower", gate<charged>},   {"rep", gate<repeat>},
-                                {"reverse", gate<charged>}, {"upper", gate<charged>}};
+                                {"lower", gate<counted>},   {"rep", gate<repeat>},
+                                {"reverse", gate<counted>}, {"upper", gate<counted>}};
     for (const auto &[name, function] : guarded) {
         lua_getfield(L, -2, name);
         lua_pushcclosure(L, function, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// table: Lua's own functions, each charged for the length of the table that it walks.
+// table: Lua's own functions, which count as instructions by the length of the table that they walk.
 #include "language/wrap.h"
 
 #include <utility>
@@ -8,14 +8,14 @@ namespace planula {
 
 namespace {
 
-// Upvalues: Lua's own function, and its price for each entry.
-int charged(lua_State *L) {
+// Upvalues: Lua's own function, and the instructions that it counts as for each entry.
+int counted(lua_State *L) {
     luaL_checktype(L, 1, LUA_TTABLE);
     // Lua's functions would write into the view, past its metatable.
     if (lua_getmetatable(L, 1)) return luaL_error(L, "a read-only table cannot be changed");
-    const lua_Integer price = lua_tointeger(L, lua_upvalueindex(2));
+    const lua_Integer cost = lua_tointeger(L, lua_upvalueindex(2));
     Host &host = host_of(L);
-    host.spend(L, static_cast<std::int64_t>(lua_objlen(L, 1)) * price);
+    host.spend(L, static_cast<std::int64_t>(lua_objlen(L, 1)) * cost);
     host.go_deeper(L); // table.sort compares by a function of the script
     lua_pushvalue(L, lua_upvalueindex(1));
     lua_insert(L, 1);
@@ -31,11 +31,11 @@ void wrap_table(lua_State *L) {
     lua_call(L, 0, 0);
     lua_getglobal(L, "table");
     lua_newtable(L);
-    const std::pair<const char *, int> prices[] = {{"concat", 1}, {"insert", 1}, {"remove", 1}, {"sort", 20}};
-    for (const auto &[name, price] : prices) {
+    const std::pair<const char *, int> costs[] = {{"concat", 1}, {"insert", 1}, {"remove", 1}, {"sort", 20}};
+    for (const auto &[name, cost] : costs) {
         lua_getfield(L, -2, name);
-        lua_pushinteger(L, price);
-        lua_pushcclosure(L, gate<charged>, 2);
+        lua_pushinteger(L, cost);
+        lua_pushcclosure(L, gate<counted>, 2);
         lua_setfield(L, -2, name);
     }
     lua_remove(L, -2);

@@ -133,7 +133,7 @@ std::string help_of(const Command &command) {
     std::string summary(command.summary);
     summary.front() = static_cast<char>(summary.front() - 'a' + 'A');
     text += "\n\n" + wrapped(summary + ".") + "\n\n" + wrapped(command.details) + "\n";
-    // A long usage has a line of its own.
+    // The help of an option with a long value begins on the next line.
     constexpr std::size_t longest = 20;
     std::size_t width = 0;
     for (const Option &option : command.options)

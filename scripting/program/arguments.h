@@ -25,7 +25,7 @@ struct Option {
     bool repeatable = false;
 };
 
-/// Where a command writes, and what it knows of its surroundings.
+/// Where a command writes, and where it was started.
 struct Console {
     std::ostream &out, &err;
     bool terminal = false;         // whether err is one
@@ -54,20 +54,20 @@ class Arguments {
 struct Command {
     std::string_view name;
     std::string_view operand; // its one operand, or empty; ending in "..." if there may be more
-    std::string_view summary; // what it does, from a small letter on
+    std::string_view summary; // what it does; begins with a small letter
     std::string_view details; // paragraphs, with an empty line between two
     std::span<const Option> options;
     int (*run)(const Arguments &arguments, Console &console);
 };
 
-/// Throws UsageError that names the word, the rule and the nearest option.
+/// Throws UsageError with the word, the rule and the nearest option.
 Arguments parse_arguments(const Command &command, std::span<const std::string> words);
 
 /// The text of `planula COMMAND --help`.
 std::string help_of(const Command &command);
 
-/// The text broken into lines of at most 80 columns; all but the first begin with `indent` blanks, and the first is
-/// taken to stand behind as many columns. Line breaks in the text count as blanks, empty lines stay.
+/// The text in lines of at most 80 columns, to be printed after `indent` columns: all lines but the first begin with as
+/// many blanks. Line breaks in the text count as blanks, empty lines stay.
 std::string wrapped(std::string_view text, std::size_t indent = 0);
 
 /// How many columns a text takes: letters, not bytes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The completion of a shell, from the declarations of all commands: what a new command or option states there is all that
-// this needs.
+// The completion script of a shell, made from the declarations of all commands: a new command or option needs no line
+// here.
 #include "base/error.h"
 #include "parameters/parameters.h"
 #include "program/commands.h"
@@ -18,7 +18,7 @@ std::string parameter_names(std::string_view ending) {
     return names;
 }
 
-/// The words among "a|B|c" that are written as they are, those in small letters.
+/// The words of "a|B|c" that begin with a small letter: these are typed as they stand.
 std::string literal_words(std::string_view value) {
     std::string words;
     for (std::size_t at = 0; at < value.size();) {

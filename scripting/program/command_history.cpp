@@ -49,7 +49,7 @@ std::optional<std::int64_t> asked_genome(const Arguments &arguments) {
     return id;
 }
 
-/// Writes a file for a person. What lies there and is no file, a device say, is not replaced.
+/// Writes a file that the user named. Anything there that is not a regular file, such as a device, is not replaced.
 void write_new_file(const std::filesystem::path &path, const std::string &text) {
     if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path))
         throw CreateError(path.string() + " exists and is not a file; it is not replaced");
@@ -116,7 +116,7 @@ Shown individual_of(const Arguments &arguments, const RecordedRun &run) {
         throw UsageError("give either --genome, which names a champion, or --generation and --slot, which "
                          "name any individual");
     const int generation = arguments.whole("generation", 0, 0), slot = arguments.whole("slot", 0, 0);
-    const OwnSetting own = recorded_setting(run);
+    const SettingForRun own = recorded_setting(run);
     const Interrupt interrupt;
     const Individual individual = replay_individual(run, own.spec, generation, slot, threads_of(arguments),
                                                     [&] { return interrupt.requested(); });

@@ -16,12 +16,12 @@ namespace {
 constexpr Option options[] = {
     {"into", "DIR", "folder that receives the runs (required); it is made if it does not exist"}};
 
-/// What became of all runs.
+/// How many runs were copied, replaced by longer ones, there already and so on.
 struct Gathered {
     int copied = 0, longer = 0, known = 0, unfinished = 0, refused = 0;
 };
 
-/// Gathers every run below a folder, and tells of each that is refused.
+/// Gathers every run below a folder, and reports each that is refused.
 void gather(const std::filesystem::path &from, const std::filesystem::path &into, Gathered &all,
             std::ostream &err) {
     std::set<std::filesystem::path> ended;
@@ -72,7 +72,7 @@ int merge(const Arguments &arguments, Console &console) {
     Gathered all;
     for (const std::string &from : arguments.operands) gather(from, into, all, console.err);
     console.out << into.string() << ": " << all.copied << " runs copied, " << all.longer
-                << " replaced by a longer one, " << all.known << " known already, "
+                << " replaced by a longer one, " << all.known << " there already, "
                 << (all.unfinished > 0 ? to_text(all.unfinished) + " left out as unfinished, " : "")
                 << all.refused << " refused\n";
     if (all.refused > 0)

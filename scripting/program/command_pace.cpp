@@ -30,7 +30,7 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 
 double in_tenths(double value) { return std::floor(10 * value + 0.5) / 10; }
 
-/// Core-seconds that the runs of a setting take if every individual takes so many.
+/// Core-seconds of all runs of a setting if every individual takes `seconds_each`.
 double cost(const Parameters &design, double seconds_each) {
     return seconds_each * design.seeds * design.generations * design.population;
 }
@@ -51,7 +51,7 @@ class Stopwatch {
             cells_ += life.cells;
             ++viable_;
         }
-        // What comes after a generation, its offspring, counts with the next.
+        // The time to make the offspring of a generation counts with the next one.
         row.cells = viable_ > 0 ? in_tenths(static_cast<double>(cells_) / static_cast<double>(viable_)) : 0;
         row.core_seconds = processor_seconds() - began_;
         row.rate = in_tenths((row.evaluations - row.known) / row.core_seconds);
@@ -111,7 +111,7 @@ class PaceCommand {
 
     std::vector<PaceRow> evolve(std::size_t index, Progress &progress) const {
         const Spec &setting = experiment_.settings[index];
-        experiment_.hooks[index]->begin_run();
+        experiment_.functions[index]->begin_run();
         Stopwatch stopwatch(setting.name);
         double best = 0;
         planula::run(
@@ -128,7 +128,7 @@ class PaceCommand {
 
     Console &console_;
     const int threads_;
-    const Experiment design_, experiment_; // as the script has it, and as it is measured
+    const Experiment design_, experiment_; // as the script states it, and as it is measured
     const Interrupt interrupt_;
 };
 

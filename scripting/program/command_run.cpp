@@ -36,8 +36,8 @@ constexpr Option options[] = {
     {"cores", "N", "with --forecast: also report the time on N cores"},
 };
 
-// How much the memo spared, of the generations of this process.
-struct LivesKnown {
+// How many evaluations of this process were answered from earlier ones.
+struct Reused {
     std::int64_t asked = 0, lives = 0, movements = 0;
 
     void add(const Generation &generation) {
@@ -47,8 +47,8 @@ struct LivesKnown {
     }
     std::string text() const {
         const double share = 100.0 * static_cast<double>(lives + movements) / static_cast<double>(asked);
-        return to_fixed(share, 1) + " % known before (" + to_text(lives) + " lives, " + to_text(movements) +
-               " movements)";
+        return to_fixed(share, 1) + " % of evaluations reused (" + to_text(lives) + " of equal genomes, " +
+               to_text(movements) + " of equal bodies)";
     }
 };
 
@@ -59,7 +59,7 @@ std::vector<std::size_t> chosen_settings(const Arguments &arguments, const Exper
     for (const std::string &name : only) {
         if (experiment.find(name)) continue;
         const std::string nearest = nearest_name(name, names);
-        throw UsageError("--only " + name + ": the experiment has no such setting" +
+        throw UsageError("--only " + name + ": the experiment has no setting of this name" +
                          (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
     }
     std::vector<std::size_t> chosen;
@@ -106,7 +106,7 @@ class RunCommand {
                 run_level(levels_[i], std::exchange(before, levels_[i]),
                           static_cast<int>(levels_.size() - 1 - i), interrupt, progress);
         } catch (const Stopped &) {
-            throw Stopped("stopped; what was done is kept, and the same command resumes");
+            throw Stopped("stopped; all results so far are saved, and the same command resumes");
         }
         progress.tell(to_text(static_cast<std::int64_t>(runs_.size())) + " runs done, in " + out_.string());
         return 0;
@@ -120,7 +120,7 @@ class RunCommand {
         return run_folder(out_, experiment_.settings[run.setting].name, run.seed);
     }
 
-    // Every folder is looked at before a byte is written.
+    // Every folder is checked before anything is written.
     void check_folders() const {
         std::vector<std::string> refused;
         for (const PlannedRun &run : runs_) {
@@ -137,11 +137,11 @@ class RunCommand {
                                 ? "\n  Of the " + to_text(static_cast<std::int64_t>(runs_.size())) +
                                       " runs asked for, " +
                                       to_text(static_cast<std::int64_t>(refused.size())) +
-                                      " meet such a folder. Nothing was changed."
+                                      " have such a folder. Nothing was changed."
                                 : "\n  Nothing was changed."));
     }
 
-    // Evaluations from one level, or what a run has if that is more, to the next.
+    // Evaluations to a level from the one before, or from the generations that a run has if these are more.
     std::int64_t evaluations_to(int level, int from) const {
         std::int64_t evaluations = 0;
         for (const PlannedRun &run : runs_) {
@@ -174,64 +174,64 @@ class RunCommand {
         });
     }
 
-    // The beginning of a run, or where an earlier process left it.
-    static RunState start(const OwnSetting &setting, const std::string &name, std::uint64_t seed,
+    // The state at the beginning of a run, or the one that an earlier process saved.
+    static RunState start(const SettingForRun &setting, const std::string &name, std::uint64_t seed,
                           RunWriter &writer, const Workers &workers, const StopRequest &stop,
                           Progress &progress) {
         for (const std::filesystem::path &path : writer.damaged())
-            progress.tell(path.string() + ": damaged, passed over");
-        std::optional<RunState> left = writer.take_state();
-        if (left) {
-            setting.hooks->continue_run(writer.memory());
-            progress.tell(name + ": resumes with generation " + to_text(left->population.generation + 1) +
+            progress.tell(path.string() + ": damaged and ignored");
+        std::optional<RunState> saved = writer.take_state();
+        if (saved) {
+            setting.functions->continue_run(writer.memory());
+            progress.tell(name + ": resumes with generation " + to_text(saved->population.generation + 1) +
                           " of " + to_text(writer.generations()));
         }
-        RunState state = left ? std::move(*left) : begin(setting.spec, seed, workers, stop);
-        writer.between(state, setting.hooks->memory());
+        RunState state = saved ? std::move(*saved) : begin(setting.spec, seed, workers, stop);
+        writer.between(state, setting.functions->memory());
         return state;
     }
 
-    // Shares nothing with other runs but the crew, the progress and the texts of the scripts.
+    // Shares only the crew, the progress and the sources of the scripts with other runs.
     void run_one(const PlannedRun &run, int level, const Workers &workers, const Interrupt &interrupt,
                  Progress &progress) {
-        OwnSetting setting = own_setting(experiment_, run.setting);
+        SettingForRun setting = setting_for_run(experiment_, run.setting);
         Spec &spec = setting.spec;
-        Hooks &hooks = *setting.hooks;
+        JudgingFunctions &functions = *setting.functions;
         spec.parameters.generations = generations_of(run, level);
         const std::string name = spec.name + " seed " + to_text(static_cast<std::int64_t>(run.seed));
         const StopRequest stop = [&] { return interrupt.requested() || crew_.failed(); };
         RunWriter writer(folder_of(run), spec, run.seed, sources_, interval_);
         if (writer.is_complete()) {
-            progress.tell(name + ": another process has completed it meanwhile");
+            progress.tell(name + ": completed by another process in the meantime");
             progress.reach();
             return;
         }
         spec.parameters.generations = writer.generations();
         const Progress::Open open(progress);
         RunState state = start(setting, name, run.seed, writer, workers, stop, progress);
-        LivesKnown known;
+        Reused reused;
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
-            known.add(generation);
+            reused.add(generation);
             progress.generation(name, generation.number, spec.parameters.generations, writer.best_fitness(),
                                 static_cast<int>(generation.lives.size()));
         };
         try {
             planula::run(
                 spec, run.seed, workers, state, observe,
-                [&](const RunState &now) { writer.between(now, hooks.memory()); }, stop);
+                [&](const RunState &now) { writer.between(now, functions.memory()); }, stop);
         } catch (const Stopped &) {
-            writer.keep(state, hooks.memory());
+            writer.keep(state, functions.memory());
             throw;
         }
-        hooks.check_unchanged();
+        functions.check_unchanged();
         writer.finish();
         progress.reach();
         progress.tell(name + ": " + to_text(spec.parameters.generations) + " generations done, best " +
-                      to_fixed(writer.best_fitness(), 2) + ", " + known.text());
-        if (hooks.invalid() > 0)
-            progress.tell(name + ": " + to_text(hooks.invalid()) +
-                          " individuals count as not valid, the first because: " + hooks.first_problem());
+                      to_fixed(writer.best_fitness(), 2) + ", " + reused.text());
+        if (functions.invalid() > 0)
+            progress.tell(name + ": " + to_text(functions.invalid()) +
+                          " individuals count as invalid; the first because " + functions.first_problem());
     }
 
     Console &console_;
@@ -262,8 +262,8 @@ std::vector<int> levels_of(const Arguments &arguments) {
         const std::size_t comma = std::min(words.find(',', at), words.size());
         const auto level = parse_int(words.substr(at, comma - at));
         if (!level || *level < 1 || *level > 10'000'000 || (!levels.empty() && *level <= levels.back()))
-            throw UsageError("--levels takes ascending numbers of generations, as 25,50,100, not '" + words +
-                             "'");
+            throw UsageError("--levels takes ascending numbers of generations, such as 25,50,100, not '" +
+                             words + "'");
         levels.push_back(static_cast<int>(*level));
         at = comma + 1;
     }
@@ -287,7 +287,8 @@ std::vector<PlannedRun> runs_of(const Arguments &arguments, const Experiment &ex
             if (number++ % step == first) runs.push_back({setting, seed});
     if (runs.empty())
         throw UsageError("--part " + arguments.text("part") + ": there are " +
-                         to_text(static_cast<std::int64_t>(number)) + " runs, so that this part has none");
+                         to_text(static_cast<std::int64_t>(number)) +
+                         " runs, so this part is empty; give an N of at most that number");
     return runs;
 }
 

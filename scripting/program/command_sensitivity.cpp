@@ -69,7 +69,7 @@ class SensitivityCommand {
             number->in(changed) = value;
             return changed;
         }
-        // The script is read again, as its environments may be made of the parameter.
+        // The script is read again, as its environments may take numbers from the parameter.
         if (!is_possible(setting, row.name, value)) return std::nullopt;
         return *experiment_of(arguments_, console_, {{std::string(row.name), value}}).find(setting.name);
     }
@@ -82,10 +82,10 @@ class SensitivityCommand {
             check_consistency(parameters);
             return true;
         } catch (const InputError &error) {
-            const std::string told =
+            const std::string report =
                 std::string(name) + " = " + to_text(value) + " is skipped: " + error.what();
-            if (told != told_) console_.err << told << '\n';
-            told_ = told;
+            if (report != reported_) console_.err << report << '\n';
+            reported_ = report;
             return false;
         }
     }
@@ -96,7 +96,7 @@ class SensitivityCommand {
     const int threads_;
     std::vector<Sample> samples_;
     std::vector<SensitivityRow> rows_;
-    std::string told_; // the last value that was skipped, and why
+    std::string reported_; // the last value that was skipped, and why
 };
 
 int call_sensitivity(const Arguments &arguments, Console &console) {

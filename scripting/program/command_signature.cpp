@@ -26,7 +26,7 @@ std::string measured_signature(const Experiment &experiment, int threads) {
     for (std::size_t i = 0; i < experiment.settings.size(); ++i) {
         const Spec &setting = experiment.settings[i];
         signature.setting(setting.name);
-        experiment.hooks[i]->begin_run();
+        experiment.functions[i]->begin_run();
         run(
             setting, signed_seed, threads,
             [&](const Generation &generation) { signature.observe(generation); },

@@ -18,12 +18,12 @@ constexpr Option options[] = {
     {"runs", "", "also print a line for each run"},
 };
 
-/// What is known of all runs below a folder.
+/// The state of all runs below a folder.
 struct Overview {
     std::vector<RunStatus> runs;
     std::map<int, int> complete; // runs by the generations that are complete
-    int under_way = 0, troubled = 0;
-    std::int64_t evaluations = 0; // complete or kept
+    int unfinished = 0, unreadable = 0;
+    std::int64_t evaluations = 0; // of complete generations and of those up to the checkpoint
     std::uintmax_t bytes = 0;
     std::vector<ProgressRow> processes;
     double rate = 0, seconds_left_level = 0, seconds_left = 0;
@@ -36,13 +36,13 @@ Overview overview_of(const std::filesystem::path &folder) {
     all.runs = statuses(folder);
     for (const RunStatus &run : all.runs) {
         ++all.complete[run.complete];
-        all.under_way += run.kept > run.complete;
-        all.troubled += !run.trouble.empty();
+        all.unfinished += run.kept > run.complete;
+        all.unreadable += !run.trouble.empty();
         all.evaluations += std::int64_t{done_in(run)} * run.population;
         all.bytes += run.bytes;
     }
     all.processes = read_progress(folder);
-    // Processes work beside each other: whoever needs longest decides.
+    // Processes work at the same time: the slowest determines the time left.
     for (const ProgressRow &row : all.processes) {
         all.rate += row.rate;
         all.seconds_left_level = std::max(all.seconds_left_level, row.seconds_left_level);
@@ -60,44 +60,44 @@ std::string size_text(std::uintmax_t bytes) {
 std::string text_of(const RunStatus &run) {
     if (!run.trouble.empty()) return run.trouble;
     std::string text =
-        run.complete > 0 ? to_text(run.complete) + " generations complete" : "nothing complete";
-    if (run.kept > run.complete) text += ", " + to_text(run.kept) + " kept by a checkpoint";
+        run.complete > 0 ? to_text(run.complete) + " generations complete" : "no generations complete";
+    if (run.kept > run.complete) text += ", " + to_text(run.kept) + " saved in a checkpoint";
     return text + ", " + size_text(run.bytes);
 }
 
 void print_text(const Overview &all, bool each, std::ostream &out) {
     for (const RunStatus &run : all.runs)
         if (each || !run.trouble.empty()) out << run.folder.string() << ": " << text_of(run) << '\n';
-    if (all.runs.empty()) out << "there is no run, <setting>/seed-NNN, below this folder\n";
+    if (all.runs.empty()) out << "no run (<setting>/seed-NNN) in this folder\n";
     out << all.runs.size() << " runs, " << size_text(all.bytes) << ", " << all.evaluations
         << " evaluations\n";
     for (const auto &[generations, runs] : all.complete)
         out << "  " << runs
             << (generations > 0 ? " with " + to_text(generations) + " generations complete"
-                                : std::string(" with nothing complete"))
+                                : std::string(" without complete generations"))
             << '\n';
-    out << "  " << all.under_way << " under way to more\n";
-    if (all.troubled > 0) out << "  " << all.troubled << " that cannot be read\n";
+    out << "  " << all.unfinished << " unfinished\n";
+    if (all.unreadable > 0) out << "  " << all.unreadable << " unreadable\n";
     if (all.processes.empty()) {
-        out << "nobody is running them now\n";
+        out << "no process is working on them\n";
         return;
     }
     for (const ProgressRow &row : all.processes)
-        out << "a process brings " << row.runs << " runs to " << row.level << " generations, "
-            << row.runs_done << " are there\n";
+        out << "a process runs " << row.runs << " runs to generation " << row.level << "; " << row.runs_done
+            << " are done\n";
     if (!(all.rate > 0)) {
-        out << "they have just begun: their pace is not known yet\n";
+        out << "the speed is not known yet\n";
         return;
     }
     out << to_fixed(all.rate, all.rate < 10 ? 1 : 0) << " evaluations/s, "
-        << duration_text(all.seconds_left_level) << " left for the level, " << duration_text(all.seconds_left)
-        << " for all\n";
+        << duration_text(all.seconds_left_level) << " left for this level, "
+        << duration_text(all.seconds_left) << " for all levels\n";
 }
 
-/// A time that is known once there is a pace.
+/// A time in JSON, which is unknown until there is a rate.
 std::string seconds_text(double seconds, double rate) { return rate > 0 ? to_text(seconds) : "null"; }
 
-/// A text as JSON has it.
+/// A text in JSON.
 std::string quoted(const std::string &text) {
     std::string result = "\"";
     for (const char letter : text) {
@@ -129,7 +129,7 @@ void print_json(const Overview &all, std::ostream &out) {
         out << separator << "{\"generations\": " << generations << ", \"runs\": " << runs << '}';
         separator = ", ";
     }
-    out << "],\n  \"under_way\": " << all.under_way << ",\n  \"evaluations\": " << all.evaluations
+    out << "],\n  \"under_way\": " << all.unfinished << ",\n  \"evaluations\": " << all.evaluations
         << ",\n  \"bytes\": " << all.bytes << ",\n  \"processes\": [";
     separator = "";
     for (const ProgressRow &row : all.processes) {

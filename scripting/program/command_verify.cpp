@@ -68,7 +68,7 @@ class VerifyCommand {
         return static_cast<std::uint64_t>(ticks + ::getpid()) % 1'000'000'000;
     }
 
-    // The run in the folder, or every run below it.
+    // The run in the folder, or all runs below it.
     void find_runs() {
         for (const std::filesystem::path &folder : folders_with_runs(folder_)) {
             if (!std::filesystem::exists(folder / ManifestRow::file_name)) {
@@ -112,7 +112,7 @@ class VerifyCommand {
             console_.err << task.run->folder.string() << ": generations " << task.stretch.first << " to "
                          << task.stretch.last << " …" << std::endl;
             attempt([&] {
-                const OwnSetting own = recorded_setting(*task.run);
+                const SettingForRun own = recorded_setting(*task.run);
                 recompute(*task.run, own.spec, task.stretch, threads_, [&] { return interrupt.requested(); });
             });
             simulated_ += task.stretch.length();
@@ -131,7 +131,7 @@ class VerifyCommand {
             << to_fixed(1 - share, 3) << ".\n";
     }
 
-    // Whether an action ends without an error of the data, which is kept.
+    // Whether an action ends without an error in the data, whose message is kept.
     template <class Action> bool attempt(Action &&action) {
         try {
             action();

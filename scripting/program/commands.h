@@ -29,11 +29,11 @@ const Command &parameters_command();
 const Command &columns_command();
 const Command &completion_command();
 
-/// All of them, in the order of --help.
+/// All commands, in the order of --help.
 std::vector<const Command *> all_commands();
 
-/// Runs the command that the words after the program's name ask for. Returns the exit code (base/error.h);
-/// errors are told on console.err.
+/// Runs the command that the words after the program's name ask for. Returns the exit code (base/error.h); errors are
+/// printed to console.err.
 int run_program(const std::vector<std::string> &words, Console &console);
 
 // ---- Options that several commands have -------------------------------------------------------------------
@@ -56,30 +56,31 @@ inline constexpr Option chosen_seeds_option{
 
 /// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
 Overrides overrides_of(const Arguments &arguments);
-/// Loads the experiment file that is the operand; `changes` come after those of the command line.
+/// Loads the experiment file that is the operand; `changes` come after those of the command line. Throws UsageError if one
+/// of the command line changes nothing in any setting.
 Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes = {});
 /// --seeds A:B or N; without it 1 … the parameter `seeds`. Throws UsageError.
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
 /// One run that a command is asked for.
 struct PlannedRun {
-    std::size_t setting; // its place in the experiment
+    std::size_t setting; // its index in the experiment
     std::uint64_t seed;
 };
-/// What --seeds, --only and --part ask for: seed by seed, so that a command which is stopped leaves all settings alike.
-/// Throws UsageError.
+/// The runs that --seeds, --only and --part ask for: seed by seed, so that a command that is stopped has run all settings
+/// equally far. Throws UsageError.
 std::vector<PlannedRun> runs_of(const Arguments &arguments, const Experiment &experiment);
 /// --levels, ascending; nothing without the option. Throws UsageError.
 std::vector<int> levels_of(const Arguments &arguments);
-/// The experiment that planula run is asked for. With levels, the last of them is the length that a script's checks are
-/// made for.
+/// The experiment that planula run is asked for. With levels, the script is checked with the last of them as its
+/// generations.
 Experiment experiment_to_run(const Arguments &arguments, const Console &console);
-/// The runs that --runs and --seeds choose, and console.err to tell of those left out.
+/// The runs that --runs and --seeds choose; those left out are reported to console.err.
 RunChoice choice_of(const Arguments &arguments, const Experiment &experiment, Console &console);
-/// --threads, or all of the machine.
+/// --threads, or one for each processor.
 int threads_of(const Arguments &arguments);
-/// From now on --lanes, if given. Throws UsageError with the nearest name.
+/// Uses --lanes from now on, if it is given. Throws UsageError with the nearest name.
 void use_lanes_of(const Arguments &arguments);
-/// Where runs of the experiment lie unless an option says otherwise: build/runs/<experiment>.
+/// The folder of the experiment's runs that an option states, or build/runs/<experiment>.
 std::string runs_folder(const Arguments &arguments, std::string_view option, const Experiment &experiment);
 
 } // namespace planula

@@ -26,7 +26,7 @@ namespace planula {
 
 namespace {
 
-constexpr int measured_generations = 11; // generation 0, which is no measure of the others, and ten more
+constexpr int measured_generations = 11; // generation 0, which is unlike the others, and ten more
 constexpr double megabyte = 1e6;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -46,7 +46,7 @@ struct Measured {
     std::int64_t evaluations = 0;
     RowTexts rows;          // of these generations, all individuals
     int generations = 0;    // after generation 0, or 1 if there is no other
-    double state_bytes = 0; // of a kept state
+    double state_bytes = 0; // of a saved state
     double archive = 0;     // entries of the archive, in a generation
 };
 
@@ -92,7 +92,7 @@ double recorded_individuals(const Spec &setting) {
     return individuals;
 }
 
-/// Kept states of a complete run: those that stay, and that before the last generation.
+/// Saved states of a complete run: those kept for good, and the one before the last generation.
 int kept_states(int generations) {
     int states = 1;
     for (int generation = 1; generation < generations - 1; ++generation)
@@ -172,7 +172,7 @@ class Forecast {
         }
         Progress progress(console_.err, console_.terminal, evaluations);
         for (const std::size_t i : settings_) {
-            const OwnSetting own = own_setting(experiment_, i);
+            const SettingForRun own = setting_for_run(experiment_, i);
             measured_.push_back(measure(
                 own.spec, runs_.front().seed, threads_, [&] { return interrupt.requested(); }, progress));
             costs_.push_back(cost_of(own.spec, measured_.back()));
@@ -221,17 +221,19 @@ class Forecast {
         std::ostream &out = console_.out;
         const auto on = [&](int cores) { return long_time(seconds / cores); };
         out << "\ntime:   " << to_fixed(seconds / 3600, 2) << " core-hours; " << on(threads_) << " on the "
-            << threads_ << " threads used here";
+            << threads_ << " threads of this command";
         if (cores_ > 0)
             out << "; " << long_time(std::max(seconds / cores_, longest)) << " on " << cores_
-                << " cores of a cluster, a run on each";
+                << " cores of a cluster, one run on each";
         const double at_once = std::min<double>(threads_, static_cast<double>(runs_.size()));
         out << "\ndisk:   " << size_text(bytes) << " when all is complete, and up to "
-            << size_text(journals * at_once) << " more while runs are under way"
+            << size_text(journals * at_once) << " more while runs are unfinished"
             << "\nmemory: " << to_fixed(peak_megabytes() + archive * at_once / megabyte, 0) << " MB\n"
-            << "\nEverything is taken to go on as measured. Bodies change as they evolve: in runs of 100 "
-               "generations of "
-               "the paper's\nsettings some became 1.7 times slower after generation 10, others not at all.\n";
+            << "\nThis assumes that later generations cost as much as those measured. Bodies change as they "
+               "evolve: "
+               "in runs\nof 100 generations of the paper's settings some became 1.7 times slower after "
+               "generation 10, "
+               "others not at all.\n";
     }
 
     Console &console_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SIGINT, SIGTERM and SIGUSR1 as a wish to stop, for as long as an Interrupt lives. The second signal of a
-// kind acts as if there were none.
+// SIGINT, SIGTERM and SIGUSR1 as a request to stop, as long as an Interrupt exists. The second signal of a kind has its
+// usual effect.
 #pragma once
 
 namespace planula {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// planula: the command line. The experiments that belong to this program lie beside the folder it was built
-// in.
+// planula: the command line. The experiments of this program are in a folder beside the one that it was built in.
 #include "program/commands.h"
 
 #include <cerrno>
@@ -13,7 +12,7 @@
 
 namespace {
 
-/// A launcher may close the standard descriptors; the files that a run opens must not get their numbers.
+/// Opens the standard descriptors that whoever started the program has closed: no file of a run may get their numbers.
 void open_standard_descriptors() {
     for (int file = 0; file <= 2; ++file)
         if (::fcntl(file, F_GETFD) == -1 && errno == EBADF && ::open("/dev/null", O_RDWR) != file)
@@ -24,7 +23,7 @@ void open_standard_descriptors() {
 
 int main(int count, char **words) {
     open_standard_descriptors();
-    // A reader that goes away is an error to report, not a reason to die.
+    // Writing into a pipe that is closed is reported as an error.
     std::signal(SIGPIPE, SIG_IGN);
     std::error_code unknown;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);

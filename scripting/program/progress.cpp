@@ -17,7 +17,7 @@ double seconds_from(std::chrono::steady_clock::time_point then, std::chrono::ste
     return std::chrono::duration<double>(now - then).count();
 }
 
-/// What a command with several runs or levels says of the whole.
+/// The part of the line that is about all runs and levels.
 std::string whole_text(const Standing &standing) {
     std::string text;
     if (standing.runs > 1)
@@ -64,7 +64,7 @@ void Progress::skip(std::int64_t evaluations) {
     planned_level_ -= evaluations;
 }
 
-// The time left assumes that what is left costs as much as what is done.
+// The time left assumes that the remaining evaluations take as long as those before.
 Standing Progress::standing(Clock::time_point now) const {
     Standing standing{.level = level_,
                       .levels_left = levels_left_,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How far a command is, for the person who waits: on a terminal one line that is rewritten, else a plain line
-// about every ten seconds. Several runs, each on its own thread, may tell of themselves. It speaks of the whole: how many
-// runs have reached the present level (so many generations), and how long the level and all levels will take at the
-// present pace. Reads the clock, and decides nothing.
+// The progress of a command, for the user: on a terminal one line that is rewritten, else a line about every ten
+// seconds. Several runs, each on its own thread, may report to it. It shows how many runs have reached the present level, a
+// number of generations, and how long this level and all levels will take at the present rate. It reads the clock, and no
+// result depends on it.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace planula {
 
-/// Where a command stands.
+/// How far a command is.
 struct Standing {
     int level = 0;                 // generations of the present level
     int levels_left = 0;           // levels after it
@@ -27,7 +27,7 @@ struct Standing {
 
 class Progress {
   public:
-    /// `evaluations`: of all that the command has to do. `share(standing)` is called now and then, every few seconds.
+    /// `evaluations`: how many the command has to do in all. `share(standing)` is called every few seconds.
     Progress(
         std::ostream &out, bool terminal, std::int64_t evaluations,
         std::function<void(const Standing &)> share = [](const Standing &) {});
@@ -35,12 +35,12 @@ class Progress {
     Progress(const Progress &) = delete;
     Progress &operator=(const Progress &) = delete;
 
-    /// Begins a level: so many runs, of which some have reached it already; the evaluations that it still takes.
+    /// Begins a level: how many runs it has, how many of them have reached it already, and the evaluations left to do.
     void begin_level(int level, int levels_left, int runs, int runs_done, std::int64_t evaluations);
     /// A run has reached the level.
     void reach();
 
-    /// A run that is under way, for as long as this lives.
+    /// A run that is being computed, as long as this exists.
     class Open {
       public:
         explicit Open(Progress &progress) : progress_(progress) { progress_.open(1); }
@@ -52,12 +52,12 @@ class Progress {
         Progress &progress_;
     };
 
-    /// So many evaluations of the planned ones are not to do after all, or (below 0) are to do in addition.
+    /// Takes evaluations from the planned ones, or adds them if below 0.
     void skip(std::int64_t evaluations);
-    /// A generation of a run is done: its number from 0, of how many, the run's best fitness so far, its
-    /// evaluations.
+    /// Reports a generation: its number, from 0, the number of generations of the run, its best fitness so far, and the
+    /// evaluations of the generation.
     void generation(const std::string &run, int number, int generations, double best, int evaluations);
-    /// Tells something that stays on the screen.
+    /// Prints a line that stays on the screen.
     void tell(const std::string &line);
 
   private:

@@ -23,7 +23,7 @@ std::string host() {
     return name;
 }
 
-/// What lies in a folder; nothing if it cannot be read.
+/// The entries of a folder; none if it cannot be read.
 std::vector<std::filesystem::path> entries_of(const std::filesystem::path &folder) {
     std::vector<std::filesystem::path> entries;
     std::error_code failure;
@@ -33,7 +33,7 @@ std::vector<std::filesystem::path> entries_of(const std::filesystem::path &folde
     return entries;
 }
 
-/// Whether the file is of a process of this machine that is no more.
+/// Whether the file belongs to a process of this machine that has ended.
 bool is_stale(const std::filesystem::path &path) {
     const std::string name = path.filename().string(), own = host() + "-";
     if (!name.starts_with(own)) return false;
@@ -72,7 +72,7 @@ void ProgressFile::write(const Standing &standing) noexcept {
         make_folder(folder_);
         write_file(path_, header_line<ProgressRow>() + line_of(row));
     } catch (const std::exception &) {
-        // Whoever asks is told nothing.
+        // planula status then knows nothing of this process.
     }
 }
 
@@ -86,7 +86,7 @@ std::vector<ProgressRow> read_progress(const std::filesystem::path &out) {
             ProgressRow row;
             if (reader.next(row) && now - row.written <= seconds_valid) rows.push_back(row);
         } catch (const Error &) {
-            // It went away, or is none.
+            // The file was removed, or is not such a table.
         }
     }
     return rows;

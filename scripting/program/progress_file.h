@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a running process says of itself to others: <out>/progress/<host>-<process>.csv, one row, rewritten every few
-// seconds and removed at the end. `planula status` reads it. It is no result: whether it can be written decides nothing.
+// The progress of a process, for other processes: <out>/progress/<host>-<process>.csv, one row, rewritten every few
+// seconds and removed at the end. `planula status` reads it. It is not a result, and failing to write it is not an error.
 #pragma once
 
 #include "program/progress.h"
@@ -13,7 +13,7 @@ namespace planula {
 
 class ProgressFile {
   public:
-    /// Removes what processes of this machine that are no more have left.
+    /// Removes the files of processes of this machine that have ended.
     explicit ProgressFile(const std::filesystem::path &out);
     ~ProgressFile();
     ProgressFile(const ProgressFile &) = delete;
@@ -25,7 +25,7 @@ class ProgressFile {
     std::filesystem::path folder_, path_;
 };
 
-/// What every process that works below a folder said of itself last: of another machine within ten minutes.
+/// The last row of every process that works below a folder; one of another machine counts for ten minutes.
 std::vector<ProgressRow> read_progress(const std::filesystem::path &out);
 
 } // namespace planula

@@ -23,13 +23,13 @@ namespace {
 
 constexpr std::size_t longest_behaviour = 16;
 constexpr double largest = 1e100; // fitness and behaviour beyond this would overflow sums and squares
-// Every call is judged twice whose number is a power of two, or a multiple of this one.
+// A life is judged twice if the number of the call is a power of two or a multiple of this one.
 constexpr std::int64_t calls_between_samples = 1024;
-// What the functions close over is looked at after every call up to so many values, and else so much more rarely, but
-// at least once in so many calls. Looking at a value takes 20 ns, a life milliseconds.
+// Up to this many values that the functions close over are checked after every call, more values less often, but at least
+// once in most_calls_unchecked calls. To check a value takes 20 ns, to simulate a life milliseconds.
 constexpr int values_for_each_call = 64;
-constexpr int most_calls_unseen = 256;
-constexpr const char *rule_of_captures = ": a life must be judged by itself alone";
+constexpr int most_calls_unchecked = 256;
+constexpr const char *independence_rule = ": how a life is judged must not depend on other lives";
 constexpr Limits limits_of_a_call{
     .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};
 
@@ -63,8 +63,8 @@ Life specimen(Outcome outcome, Stage stage, const Parameters &parameters) {
 
 } // namespace
 
-// What the functions said of one life.
-struct Hooks::Verdict {
+// The result of the functions for one life.
+struct JudgingFunctions::Verdict {
     Evaluation evaluation;
     std::string problem;     // of the functions; empty if there is none
     bool wrong_kind = false; // the problem is an error or a value of another kind
@@ -72,7 +72,7 @@ struct Hooks::Verdict {
 };
 
 // The three functions in a Lua state of their own.
-class Hooks::Functions {
+class JudgingFunctions::Functions {
   public:
     Functions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters, Stage stage)
         : lua_(sources, sources->script()), parameters_(parameters), stage_(stage) {
@@ -90,7 +90,7 @@ class Hooks::Functions {
         if (const auto message = lua_.inspect(gate<prepare>, this, limits_of_a_call))
             throw InputError(*message);
         captures_.emplace(lua_, std::array{penalty_, fitness_, behaviour_});
-        interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unseen);
+        interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unchecked);
     }
 
     /// "file:line: " of the function of that name.
@@ -107,7 +107,7 @@ class Hooks::Functions {
     /// The length of the run's behaviours; 0 until one is seen.
     std::size_t &length() { return length_; }
 
-    /// How many calls there are from one look at what the functions close over to the next.
+    /// How many calls are made from one check of what the functions close over to the next.
     int interval() const { return interval_; }
 
     void check_unchanged() {
@@ -117,7 +117,7 @@ class Hooks::Functions {
         const bool is_module = *changed == names.size();
         const std::string name = names[is_module ? 0 : *changed];
         throw InputError(where(name) + "what " + (is_module ? "modules hold" : name + " closes over") +
-                         " was changed by a judgement" + rule_of_captures);
+                         " was changed by a judgement" + independence_rule);
     }
 
     Verdict judge(const Life &life) {
@@ -130,7 +130,7 @@ class Hooks::Functions {
     }
 
   private:
-    // Makes the two values that every call is given.
+    // Makes the two values that are passed to every call.
     static int prepare(lua_State *L) {
         Functions &self = *static_cast<Functions *>(lua_touserdata(L, 1));
         wrap_life(L);
@@ -177,7 +177,7 @@ class Hooks::Functions {
         if (penalty) lua_pushnumber(L, *penalty);
         const auto message = lua_.call(penalty ? 3 : 2, limits_of_a_call);
         if (interval_ == 1 && captures_->changed())
-            throw InputError(where(name) + name + " changes what it closes over" + rule_of_captures);
+            throw InputError(where(name) + name + " changes what it closes over" + independence_rule);
         if (!message) return true;
         verdict.problem = *message + " (in " + name + ")";
         verdict.wrong_kind = true;
@@ -243,20 +243,21 @@ class Hooks::Functions {
     std::size_t length_ = 0;
 };
 
-Hooks::Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters, Stage stage)
+JudgingFunctions::JudgingFunctions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters,
+                                   Stage stage)
     : sources_(std::move(sources)), index_(index), parameters_(parameters), stage_(stage) {
     begin_run();
 }
 
-Hooks::~Hooks() = default;
+JudgingFunctions::~JudgingFunctions() = default;
 
-void Hooks::begin_run() {
+void JudgingFunctions::begin_run() {
     functions_ = std::make_unique<Functions>(sources_, index_, parameters_, stage_);
     calls_ = invalid_ = 0;
     first_problem_.clear();
 }
 
-void Hooks::continue_run(const std::string &memory) {
+void JudgingFunctions::continue_run(const std::string &memory) {
     begin_run();
     StateReader reader(memory);
     reader.group("judge");
@@ -268,9 +269,9 @@ void Hooks::continue_run(const std::string &memory) {
     reader.done();
 }
 
-void Hooks::check_unchanged() const { functions_->check_unchanged(); }
+void JudgingFunctions::check_unchanged() const { functions_->check_unchanged(); }
 
-std::string Hooks::memory() const {
+std::string JudgingFunctions::memory() const {
     check_unchanged();
     StateWriter writer;
     writer.group("judge").integer(static_cast<std::int64_t>(functions_->length()));
@@ -278,13 +279,13 @@ std::string Hooks::memory() const {
     return writer.bytes();
 }
 
-Hooks::Verdict Hooks::judge_twice(const Life &life) {
+JudgingFunctions::Verdict JudgingFunctions::judge_twice(const Life &life) {
     Functions others(sources_, index_, parameters_, stage_);
     others.length() = functions_->length();
     const Verdict verdict = functions_->judge(life), fresh = others.judge(life);
     const auto differ = [&](const char *name) {
-        throw InputError(functions_->where(name) + name +
-                         " remembers earlier calls: a life must be judged by itself alone");
+        throw InputError(functions_->where(name) + name + " depends on earlier calls" +
+                         std::string(independence_rule));
     };
     const Evaluation &a = verdict.evaluation, &b = fresh.evaluation;
     if (a.penalty != b.penalty || verdict.problem.empty() != fresh.problem.empty()) differ("penalty");
@@ -293,20 +294,21 @@ Hooks::Verdict Hooks::judge_twice(const Life &life) {
     return verdict;
 }
 
-void Hooks::try_out() {
+void JudgingFunctions::try_out() {
     begin_run();
     for (std::size_t i = 0; i < outcome_names.size(); ++i) {
         const Life life = specimen(static_cast<Outcome>(i), stage_, parameters_);
         functions_->judge(life);
         const Verdict verdict = judge_twice(life);
         if (verdict.wrong_kind)
-            throw InputError(verdict.problem + " for a trial life with outcome '" + outcome_names[i] + "'");
+            throw InputError(verdict.problem + " for an example life with outcome '" + outcome_names[i] +
+                             "'");
     }
     check_unchanged();
     begin_run();
 }
 
-Evaluation Hooks::judge(const Life &life) {
+Evaluation JudgingFunctions::judge(const Life &life) {
     const Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
     if (functions_->interval() > 1 && (is_sample(calls_) || calls_ % functions_->interval() == 0))
         check_unchanged();

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The judgement of a setting, by three Lua functions of its script:
+// The functions of a script that judge the individuals of a setting, three in Lua:
 //
-//   penalty(life, parameters)           p of Eq. (6), 0 … 1; 0: not a valid individual, nothing else is asked
+//   penalty(life, parameters)           p of Eq. (6), 0 … 1; 0: the individual is invalid, no other function is called
 //   fitness(life, parameters, penalty)  f of Eq. (4), 0 … 1e100
 //   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100
 //
-// The behaviour of a setting's `start` is asked beside its penalty for lives that end with development. Reading what is
-// known only of a body that has moved (statement/wrap_life.h) is an error then.
+// The behaviour function of a setting's `start` is called, with the setting's penalty, for individuals that have grown but
+// not moved. Reading what is known only after movement (statement/wrap_life.h) is an error then.
 //
-// `parameters` are those that decide lives (experiment/deciding.h): neither the length of a run nor a number of
+// `parameters` are those that decide lives (experiment/deciding.h): neither the length of a run nor a parameter of
 // statistics changes how a life is judged.
 //
-// A function that raises an error, or returns something else, makes that individual invalid; it is counted
-// and the run goes on. Functions must not remember anything. What they close over must stay as it was, which is looked
-// at after every call, or so often that it costs little where they close over much; and a sample of lives is judged a
-// second time in a fresh Lua state, and must be judged alike there.
+// If a function raises an error or returns something else, the individual is invalid; it is counted, and the run goes on.
+// Functions must not keep anything from one call to the next. What they close over must not change: this is checked after
+// every call, or less often if they close over much. A sample of lives is judged a second time in a fresh Lua state, with
+// the same result.
 #pragma once
 
 #include "evaluation/life.h"
@@ -28,31 +28,31 @@
 
 namespace planula {
 
-/// Which lives are judged: whole ones, or those before the run, by growth alone and without fitness.
+/// Which lives are judged: complete ones, or those of a start, which have only grown and have no fitness.
 enum class Stage { life, growth };
 
-class Hooks {
+class JudgingFunctions {
   public:
-    /// The functions of setting `index` (from 0) of the script, and the parameters that they are shown.
-    Hooks(std::shared_ptr<Sources> sources, int index, const Parameters &parameters,
-          Stage stage = Stage::life);
-    ~Hooks();
+    /// The functions of setting `index` (from 0) of the script, and the parameters that they are given.
+    JudgingFunctions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters,
+                     Stage stage = Stage::life);
+    ~JudgingFunctions();
 
-    /// Judges a few made-up lives, one of each outcome. Throws InputError if a function raises an error,
-    /// returns a value of another kind, or judges the same life differently the second time.
+    /// Judges one example of each outcome. Throws InputError if a function raises an error, returns a value of another kind,
+    /// or judges the same life differently the second time.
     void try_out();
 
     /// Begins a run: fresh functions, nothing counted.
     void begin_run();
-    /// Goes on in a run that was stopped. Throws InputError for a text that is not what memory() gave.
+    /// Resumes a run that was stopped. Throws InputError for a text that is not one of memory().
     void continue_run(const std::string &memory);
-    /// What continue_run() must know of the lives judged so far. Throws as check_unchanged() does.
+    /// What continue_run() needs of the lives judged so far. Throws as check_unchanged() does.
     std::string memory() const;
-    /// Throws InputError if the functions have changed what they close over since the run began: to be called after
-    /// the last life of a run, at the latest.
+    /// Throws InputError if the functions have changed what they close over since the run began; to be called after the
+    /// last life of a run at the latest.
     void check_unchanged() const;
-    /// Throws InputError if the functions change what they close over, remember earlier calls, or exceed the limits on memory or time,
-    /// which depend on the machine.
+    /// Throws InputError if the functions change what they close over, depend on earlier calls, or exceed the limits on
+    /// memory or time, which depend on the machine.
     Evaluation judge(const Life &life);
 
     std::int64_t invalid() const { return invalid_; }

@@ -25,8 +25,8 @@ namespace {
 
 constexpr int most_values = 200000;
 constexpr std::size_t most_text = 64u << 20; // bytes
-// More than the script has otherwise, for the list of what it holds.
-constexpr Limits roomy{.memory = 128u << 20, .allocated = 1024u << 20};
+// More than the script has otherwise, for the list of what its functions reach.
+constexpr Limits large_limits{.memory = 128u << 20, .allocated = 1024u << 20};
 
 // Numbers first, ascending; then names by their bytes; then false and true.
 struct Key {
@@ -55,12 +55,12 @@ struct Text {
     std::vector<Requirement> requirements;
 };
 
-// The walk through all that one function reaches, breadth first. Its members own the memory, for an error of Lua
-// may leave any of its methods.
+// The walk through all that one function reaches, breadth first. Its members own the memory, as a Lua error may leave any
+// of its methods.
 class Walk {
   public:
-    Walk(const Sources &sources, const Sources &apart, LuaState &lua, int function)
-        : sources_(sources), apart_(apart), lua_(lua), function_(function) {}
+    Walk(const Sources &sources, const Sources &by_line, LuaState &lua, int function)
+        : sources_(sources), by_line_(by_line), lua_(lua), function_(function) {}
 
     FunctionMeaning named(const std::string &name) {
         lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX, function_);
@@ -69,7 +69,7 @@ class Walk {
         const std::string place = place_of(origin);
         if (!origin)
             problem_ = "is a function of the library, not of a script";
-        else if (const auto message = lua_.inspect(gate<run>, this, roomy))
+        else if (const auto message = lua_.inspect(gate<run>, this, large_limits))
             problem_ = "cannot be read: " + *message;
         if (!problem_.empty()) throw InputError(place + ": " + name + " " + problem_);
         return {name, hash_.hex(), place};
@@ -99,7 +99,7 @@ class Walk {
         return 0;
     }
 
-    // Feeds the value at the top, which it pops: a table or function by its number.
+    // Hashes the value at the top, which it pops: a table or function by its number.
     void value(lua_State *L) {
         const int type = lua_type(L, -1);
         hash_.number(type);
@@ -117,7 +117,7 @@ class Walk {
         lua_pop(L, 1);
     }
 
-    // Which of the values that are no numbers it is must not depend on the processor.
+    // All NaNs are hashed alike: their bits depend on the processor.
     void number(double value) {
         hash_.number(std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
     }
@@ -171,11 +171,11 @@ class Walk {
         return count_;
     }
 
-    // The entries of the table at the top, by their keys, and what answers for those that it lacks.
+    // The entries of the table at the top, by their keys, and its metatable.
     void table(lua_State *L) {
         gather_keys(L);
         std::sort(keys_.begin(), keys_.end());
-        // The length of a list with holes is not told by its entries.
+        // The length of a list with holes does not follow from its entries.
         hash_.number(keys_.size()).number(lua_objlen(L, -1));
         for (const Key &key : keys_) {
             push_key(L, key);
@@ -201,7 +201,7 @@ class Walk {
                 keys_.push_back({2, static_cast<double>(lua_toboolean(L, -2)), {}});
             else
                 problem_ = std::string("closes over a table with a key of type ") + lua_typename(L, type) +
-                           ", which has no place in an order";
+                           ", and such keys have no order";
         }
     }
 
@@ -256,7 +256,7 @@ class Walk {
         const auto number = parse_int(std::string_view(function.source).substr(1));
         if (!number) return std::nullopt;
         const auto source = static_cast<std::size_t>(*number);
-        return Origin{source, function_before(apart_.all().at(source).tokens, function.linedefined)};
+        return Origin{source, function_before(by_line_.all().at(source).tokens, function.linedefined)};
     }
 
     const Text &text_of(lua_State *L) {
@@ -284,7 +284,7 @@ class Walk {
         return stated.name + ":" + to_text(line);
     }
 
-    const Sources &sources_, &apart_;
+    const Sources &sources_, &by_line_;
     LuaState &lua_;
     const int function_; // a reference of lua_
     Hash hash_;
@@ -301,7 +301,8 @@ class Walk {
 } // namespace
 
 Meanings::Meanings(const Sources &sources)
-    : sources_(sources), apart_(sources.apart()), lua_(apart_, apart_->script(), roomy) {}
+    : sources_(sources), by_line_(sources.with_functions_on_lines()),
+      lua_(by_line_, by_line_->script(), large_limits) {}
 
 // Settings often share their functions.
 const Meanings::Known &Meanings::of_function(int function, const std::string &name) {
@@ -309,7 +310,7 @@ const Meanings::Known &Meanings::of_function(int function, const std::string &na
     const auto [known, is_new] = known_.try_emplace(lua_topointer(lua_.raw(), -1));
     lua_pop(lua_.raw(), 1);
     if (is_new) {
-        Walk walk(sources_, *apart_, lua_, function);
+        Walk walk(sources_, *by_line_, lua_, function);
         known->second.meaning = walk.named(name);
         known->second.parameters = walk.parameters();
     }

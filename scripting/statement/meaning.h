@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What the judging functions of a setting mean, as a hash of each: its words without comments, layout and name,
-// and with its upvalues by name what it closes over: numbers by their bits, texts, tables by their content in
-// ascending order of keys, other functions in the same way, and functions of the library by what scripts call
-// them. A function that requires modules means their content, too; where it computes which, all that are loaded.
-// Tables and functions are numbered as they are met, so that a cycle ends and sharing counts.
+// The meaning of the judging functions of a setting, as a hash of each. The hash covers the words of the function without
+// comments, layout and name, and everything that it closes over, by the name of the upvalue: numbers by their bits, texts,
+// tables by their content in ascending order of keys, other functions in the same way, and functions of the library by
+// their name. It covers the modules that a function requires; if the function computes their names, all modules that are
+// loaded. Tables and functions are numbered as they are met, so that a cycle ends and sharing counts.
 //
-// Neither file names, lines, comments nor anything else in the script counts. The name of a local variable does.
+// File names, lines, comments and the rest of the script do not count. The names of local variables do.
 //
-// A line does not always tell which of its functions a value is. So the script runs once more, with each function
-// on a line of its own.
+// A line may have several functions. To tell them apart, the script runs once more with each function on a line of its own.
 #pragma once
 
 #include "experiment/spec.h"
@@ -41,7 +40,7 @@ class Meanings {
     bool mentions(std::size_t index, std::string_view parameter);
 
   private:
-    /// What is known of a function.
+    /// A function that was read.
     struct Known {
         FunctionMeaning meaning;
         std::set<std::string_view> parameters; // that it mentions
@@ -51,7 +50,7 @@ class Meanings {
     void visit_functions(std::size_t index, const Visit &visit);
 
     const Sources &sources_;
-    std::shared_ptr<Sources> apart_;
+    std::shared_ptr<Sources> by_line_;
     LuaState lua_;
     std::map<const void *, Known> known_; // functions of lua_
 };

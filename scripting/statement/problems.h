@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything wrong with a script, collected, each with the line of the script that states it.
+// The errors in a script, collected, each with the line of the script that states it.
 #pragma once
 
 #include "language/sources.h"
@@ -32,7 +32,7 @@ class Problems {
     /// The place of a script's result as a whole.
     Place root(const Value &result, const Source &script) const;
     void add(const Place &place, const std::string &message);
-    /// A message that already says where.
+    /// A message that has its place already.
     void add(const std::string &message);
     std::size_t count() const { return messages_.size(); }
     /// Throws InputError with all messages, a line each; does nothing if there is none.

@@ -27,7 +27,8 @@ RunSources sources_of(const Experiment &experiment) {
         const std::string file = file_of(source.module);
         for (const RunSources::File &other : sources.files)
             if (other.path == file)
-                throw InputError(source.name + ": no module of a recorded experiment may be called '" +
+                throw InputError(source.name +
+                                 ": the name is reserved in a recorded experiment; rename the module '" +
                                  source.module + "'");
         sources.files.push_back({file, source.name, source.text});
     }
@@ -36,7 +37,7 @@ RunSources sources_of(const Experiment &experiment) {
     return sources;
 }
 
-OwnSetting recorded_setting(const RecordedRun &run) {
+SettingForRun recorded_setting(const RecordedRun &run) {
     const std::filesystem::path scripts = script_folder(run.folder);
     Overrides overrides;
     for (const OverrideRow &row : read_table<OverrideRow>(scripts))
@@ -48,8 +49,8 @@ OwnSetting recorded_setting(const RecordedRun &run) {
     const auto lines = differences(run.identity, identity_of(*setting, static_cast<std::uint64_t>(run.seed)));
     if (!lines.empty())
         throw InputError(run.folder.string() +
-                         ": this program does not make the recorded run of its script: " + lines.front());
-    return own_setting(experiment, static_cast<std::size_t>(setting - experiment.settings.data()));
+                         ": this program would not repeat the recorded run: " + lines.front());
+    return setting_for_run(experiment, static_cast<std::size_t>(setting - experiment.settings.data()));
 }
 
 } // namespace planula

@@ -28,14 +28,15 @@ constexpr std::string_view design_keys[] = {"name",       "title",       "parame
                                             "statistics", "sensitivity", "record"};
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
 constexpr std::string_view record_names[] = {"full", "sample"};
-constexpr std::string_view hook_names[] = {"fitness", "penalty", "behaviour"};
+constexpr std::string_view function_names[] = {"fitness", "penalty", "behaviour"};
 
-// Fresh functions of a setting, and the judge that calls them.
-std::shared_ptr<Hooks> hooks_of(const std::shared_ptr<Sources> &sources, std::size_t setting,
-                                const Parameters &parameters, Stage stage, Judge &judge) {
-    auto hooks = std::make_shared<Hooks>(sources, static_cast<int>(setting), parameters, stage);
-    judge = [hooks](const Life &life) { return hooks->judge(life); };
-    return hooks;
+// New judging functions of a setting, and the judge that calls them.
+std::shared_ptr<JudgingFunctions> functions_of(const std::shared_ptr<Sources> &sources, std::size_t setting,
+                                               const Parameters &parameters, Stage stage, Judge &judge) {
+    auto functions =
+        std::make_shared<JudgingFunctions>(sources, static_cast<int>(setting), parameters, stage);
+    judge = [functions](const Life &life) { return functions->judge(life); };
+    return functions;
 }
 
 class Schema {
@@ -70,13 +71,13 @@ class Schema {
         if (const Value *plan = reader.field("sensitivity", Value::Kind::table, false))
             experiment_.sensitivity = read_sensitivity(*plan, reader.at("sensitivity"), problems_);
 
-        // The functions can be tried out once everything that they are shown is right.
+        // The functions can be tried out once everything that they are given is right.
         problems_.raise();
         read_meanings();
-        for (const auto *all : {&experiment_.hooks, &start_hooks_})
-            for (const auto &hooks : *all) {
+        for (const auto *all : {&experiment_.functions, &start_functions_})
+            for (const auto &functions : *all) {
                 try {
-                    hooks->try_out();
+                    functions->try_out();
                 } catch (const InputError &error) {
                     problems_.add(error.what());
                 }
@@ -112,7 +113,7 @@ class Schema {
     void read_setting(Reader &reader, const Value *shared) {
         const std::size_t problems_before = problems_.count();
         Spec &spec = experiment_.settings.emplace_back();
-        experiment_.hooks.emplace_back();
+        experiment_.functions.emplace_back();
         Places &world_places = experiment_.world_places.emplace_back();
         spec.name = reader.text("name", true);
         spec.title = reader.text("title");
@@ -136,7 +137,7 @@ class Schema {
             spec.world_sources = std::move(world.sources);
             world_places = std::move(world.places);
         }
-        read_hooks(reader, spec);
+        read_judgement(reader, spec);
         read_start(reader, spec);
         spec.record = recording(reader, record_);
         // Rules between the parts, once each part is right.
@@ -185,16 +186,16 @@ class Schema {
         }
     }
 
-    // The judge of a setting whose functions are all there.
-    void read_hooks(Reader &reader, Spec &spec) {
+    // The judge of a setting that has all its functions.
+    void read_judgement(Reader &reader, Spec &spec) {
         bool complete = true;
-        for (const std::string_view name : hook_names)
+        for (const std::string_view name : function_names)
             if (!reader.field(std::string(name), Value::Kind::function, true)) complete = false;
         spec.judge = [](const Life &) { return Evaluation{}; };
         if (!complete) return;
         const std::size_t index = experiment_.settings.size() - 1;
-        experiment_.hooks.back() =
-            hooks_of(experiment_.sources, index, spec.parameters, Stage::life, spec.judge);
+        experiment_.functions.back() =
+            functions_of(experiment_.sources, index, spec.parameters, Stage::life, spec.judge);
     }
 
     // How generation 0 is evolved before the run, if the setting says so.
@@ -205,10 +206,11 @@ class Schema {
         spec.start.emplace();
         spec.start->generations = of_start.whole("generations");
         spec.start->judge = [](const Life &) { return Evaluation{}; };
-        if (!of_start.field("behaviour", Value::Kind::function, true) || !experiment_.hooks.back()) return;
+        if (!of_start.field("behaviour", Value::Kind::function, true) || !experiment_.functions.back())
+            return;
         const std::size_t index = experiment_.settings.size() - 1;
-        start_hooks_.push_back(
-            hooks_of(experiment_.sources, index, spec.parameters, Stage::growth, spec.start->judge));
+        start_functions_.push_back(
+            functions_of(experiment_.sources, index, spec.parameters, Stage::growth, spec.start->judge));
     }
 
     // What the functions of each setting mean.
@@ -249,7 +251,7 @@ class Schema {
     const Overrides &overrides_;
     Problems problems_;
     Experiment experiment_;
-    std::vector<std::shared_ptr<Hooks>> start_hooks_;
+    std::vector<std::shared_ptr<JudgingFunctions>> start_functions_;
     Recording record_ = Recording::full; // of settings that state none
     Parameters design_;                  // of the first setting, as the script states them
 };
@@ -262,11 +264,12 @@ const Spec *Experiment::find(std::string_view setting) const {
     return nullptr;
 }
 
-OwnSetting own_setting(const Experiment &experiment, std::size_t index) {
-    OwnSetting own{experiment.settings.at(index), nullptr};
+SettingForRun setting_for_run(const Experiment &experiment, std::size_t index) {
+    SettingForRun own{experiment.settings.at(index), nullptr};
     Spec &spec = own.spec;
-    own.hooks = hooks_of(experiment.sources, index, spec.parameters, Stage::life, spec.judge);
-    if (spec.start) hooks_of(experiment.sources, index, spec.parameters, Stage::growth, spec.start->judge);
+    own.functions = functions_of(experiment.sources, index, spec.parameters, Stage::life, spec.judge);
+    if (spec.start)
+        functions_of(experiment.sources, index, spec.parameters, Stage::growth, spec.start->judge);
     return own;
 }
 

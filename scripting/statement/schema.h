@@ -39,8 +39,8 @@ namespace planula {
 struct Experiment {
     std::string name, title;
     std::vector<Spec> settings;
-    std::vector<std::shared_ptr<Hooks>> hooks; // one per setting; its judge calls them
-    std::vector<Places> world_places;          // of each setting's environment
+    std::vector<std::shared_ptr<JudgingFunctions>> functions; // one per setting; its judge calls them
+    std::vector<Places> world_places;                         // of each setting's environment
     Analysis analysis;
     SensitivityPlan sensitivity;
     std::shared_ptr<Sources> sources;
@@ -49,24 +49,24 @@ struct Experiment {
     const Spec *find(std::string_view setting) const;
 };
 
-/// Loads, checks and tries out an experiment file. Throws InputError with everything that is wrong, each on a
-/// line that starts with name:line, where it has one.
+/// Loads and checks an experiment file, and tries out its functions. Throws InputError with all errors, each on a line that
+/// starts with its place, name:line.
 Experiment load_experiment(const std::filesystem::path &script, const std::filesystem::path &library,
                            const Overrides &overrides = {});
 Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides = {});
 
-/// A setting to run beside others: with functions of its own, as one fresh run has them.
-struct OwnSetting {
+/// A setting with judging functions of its own, so that it can run at the same time as others.
+struct SettingForRun {
     Spec spec;
-    std::shared_ptr<Hooks> hooks;
+    std::shared_ptr<JudgingFunctions> functions;
 };
-OwnSetting own_setting(const Experiment &experiment, std::size_t index);
+SettingForRun setting_for_run(const Experiment &experiment, std::size_t index);
 
 /// What a run's folder keeps of the experiment: the script, every module that it requires, and the overrides.
 RunSources sources_of(const Experiment &experiment);
 
-/// The setting of a run as its folder states it, with functions of its own. Throws InputError if it is not the run that
-/// the folder's identity.csv names: of another model, say.
-OwnSetting recorded_setting(const RecordedRun &run);
+/// The setting of a run as its folder states it, with judging functions of its own. Throws InputError if that is not the
+/// run of the folder's identity.csv: if the model is another, for instance.
+SettingForRun recorded_setting(const RecordedRun &run);
 
 } // namespace planula

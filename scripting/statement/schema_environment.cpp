@@ -45,8 +45,8 @@ std::optional<double> height_at(LuaState &lua, int function, double x, const Pla
     return std::nullopt;
 }
 
-// from, from + step and so on below `to`, and `to`; empty if these are fewer than two or too many. What comes so near to
-// `to` that rounding may have kept it apart is `to`.
+// from, from + step and so on below `to`, and `to`; empty if these are fewer than two or too many. A place that
+// differs from `to` by rounding only is left out.
 std::vector<double> sample_places(double from, double to, double step) {
     constexpr double rounding = 1e-6; // of a step
     const double steps = std::ceil((to - from) / step - rounding);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an experiment wants to know of its numbers: sensitivity = {sample, factors, parameters}, all of them
-// optional. What the report means: analysis/sensitivity.h.
+// What planula sensitivity varies in an experiment: sensitivity = {sample, factors, parameters}, all of them optional. The
+// meaning of its results: analysis/sensitivity.h.
 #pragma once
 
 #include "statement/reader.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which statistics an experiment wants, from its table: confidence, resamples, interval_runs, significance,
+// The statistics of an experiment, from its table: confidence, resamples, interval_runs, significance,
 // sample_share, sample_least, fitness_classes, direction_distance, endpoints (settings whose end points are kept;
 // all, if absent) and claims, each {id, statement, section, paper, test, a, b, generation, expect, level, count,
 // bound}. What these mean: analysis/analysis.h.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// life: what a hook sees of a finished life, read-only. Fields: activity, births, cells, displacement,
+// life: what judging functions see of a finished life, read-only. Fields: activity, births, cells, displacement,
 // elongation, finish {x, y} (Life::end; `end` is a word of Lua), largest, late_actuation, links, outcome, path
 // (a list of {x, y}), rest {x, y}, settle_steps, triangles. Any other name is an error with the nearest one. So is, for
 // a life that ended with development, what is known only of a body that has moved.

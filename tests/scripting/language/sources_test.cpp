@@ -33,22 +33,22 @@ BOOST_AUTO_TEST_CASE(a_source_is_read_once_whatever_happens_to_the_file) {
     BOOST_TEST(sources.all().size() == 2u);
 }
 
-BOOST_AUTO_TEST_CASE(sources_apart_are_the_same_words_with_functions_on_lines_of_their_own) {
+BOOST_AUTO_TEST_CASE(sources_with_functions_on_lines_have_the_same_words) {
     const auto sources =
         test::script("local f, g = function() return 'function' end, function() -- function\nend");
     sources->module("descriptors");
-    const auto apart = sources->apart();
-    BOOST_REQUIRE_EQUAL(apart->all().size(), 2u);
+    const auto by_line = sources->with_functions_on_lines();
+    BOOST_REQUIRE_EQUAL(by_line->all().size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
-        const auto &words = sources->all()[i].tokens, &same = apart->all()[i].tokens;
+        const auto &words = sources->all()[i].tokens, &same = by_line->all()[i].tokens;
         BOOST_REQUIRE_EQUAL(words.size(), same.size());
         for (std::size_t word = 0; word < words.size(); ++word)
             BOOST_TEST(words[word].word == same[word].word);
     }
-    BOOST_TEST(apart->script().text ==
+    BOOST_TEST(by_line->script().text ==
                "local f, g = \nfunction() return 'function' end, \nfunction() -- function\nend");
-    BOOST_TEST(apart->script().name == "0");
-    BOOST_TEST(apart->module("descriptors").name == "1");
+    BOOST_TEST(by_line->script().name == "0");
+    BOOST_TEST(by_line->module("descriptors").name == "1");
 }
 
 BOOST_AUTO_TEST_CASE(only_safe_names_are_looked_for) {
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(only_safe_names_are_looked_for) {
                               "no module 'no.such'; looked for no/such.lua and no/such/init.lua in:"));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_script_is_refused_by_name) {
+BOOST_AUTO_TEST_CASE(files_that_are_not_scripts_are_refused_by_name) {
     const test::Folder folder;
     folder.write("deep/file.lua", "");
     folder.write("large.lua", std::string((1 << 20) + 1, ' '));

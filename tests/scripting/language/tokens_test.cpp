@@ -22,7 +22,7 @@ std::string refused(std::string_view source) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_source_falls_into_its_words_without_comments) {
+BOOST_AUTO_TEST_CASE(a_source_is_split_into_words_without_comments) {
     BOOST_TEST(words("local x = 1.5e-3 -- end\n--[[ { ]] y=x..\"a--b\"") ==
                "local|x|=|1.5e-3|y|=|x|.|.|a--b|");
     BOOST_TEST(words("a==b ~= [==[ ] ]] ]==] #c") == "a|==|b|~=|[==[ ] ]] ]==]|#|c|");
@@ -44,9 +44,9 @@ BOOST_AUTO_TEST_CASE(an_unclosed_text_or_comment_ends_with_the_source) {
         BOOST_CHECK_NO_THROW(scan(source));
 }
 
-BOOST_AUTO_TEST_CASE(a_power_is_refused_with_its_line_and_a_remedy) {
+BOOST_AUTO_TEST_CASE(a_power_is_refused_with_its_line_and_what_to_write) {
     BOOST_TEST(refused("local x = 2\nlocal y = x^0.5") ==
-               "a.lua:2: '^' gives other results on other machines; write x*x or math.pow(x, y)");
+               "a.lua:2: '^' gives different results on different machines; write x*x or math.pow(x, y)");
     BOOST_TEST(refused("local y = '^' -- x^2\n") == "");
 }
 

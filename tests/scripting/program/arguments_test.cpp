@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named_with_the_nearest_option) {
     BOOST_TEST(test::contains(refused({"f", "-s", "1"}), "has no option --s"));
 }
 
-BOOST_AUTO_TEST_CASE(a_command_may_have_several_operands_but_not_none) {
+BOOST_AUTO_TEST_CASE(a_command_may_take_several_operands_but_needs_one) {
     Command several = command;
     several.operand = "FROM...";
     const std::vector<std::string> words{"a", "--csv", "b"};

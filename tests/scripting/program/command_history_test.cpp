@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lineage and genome: who descends from whom, and any individual that ever lived.
+// lineage and genome: the ancestors of an individual, and any individual of a run.
 #include "record/csv.h"
 #include "record/genome_table.h"
 #include "support/commands.h"
@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(the_history_of_a_run_can_be_read_and_drawn) {
     const Said genome = planula_says({"genome", run});
     BOOST_TEST(genome.code == 0, genome.err);
     BOOST_TEST(contains(genome.out, "\ndivision inhibitor\n"), genome.out);
-    BOOST_TEST(contains(planula_says({"genome", run, "--genome", "99"}).err, "was never the run's best"));
+    BOOST_TEST(contains(planula_says({"genome", run, "--genome", "99"}).err, "is not a champion"));
     const std::string svg = place.path / "net.svg", dot = place.path / "net.dot";
     BOOST_TEST(planula_says({"genome", run, "--svg", svg, "--dot", dot}).code == 0);
     BOOST_TEST(content(svg).starts_with("<svg "));
@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(the_history_of_a_run_can_be_read_and_drawn) {
     BOOST_TEST(planula_says({"genome", run, "--svg", "/nowhere/net.svg"}).code == 73);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_file_is_not_replaced_by_a_picture) {
+BOOST_AUTO_TEST_CASE(only_a_file_is_replaced_by_a_picture) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const fs::path pipe = place.path / "pipe", folder = place.path / "folder";
@@ -50,14 +50,14 @@ BOOST_AUTO_TEST_CASE(what_is_no_file_is_not_replaced_by_a_picture) {
             const auto kind = fs::status(path).type();
             const Said said = planula_says({"genome", place.run(), option, path});
             BOOST_TEST(said.code == 73, path);
-            BOOST_TEST(contains(said.err, path.string() + " is not a file, and is not replaced by one"),
+            BOOST_TEST(contains(said.err, path.string() + " exists and is not a file; it is not replaced"),
                        said.err);
             BOOST_TEST((fs::status(path).type() == kind), path);
         }
 }
 
-BOOST_AUTO_TEST_CASE(every_individual_that_ever_lived_is_had_again_as_it_was_recorded) {
-    // Some are simulated from the beginning, some from a kept state.
+BOOST_AUTO_TEST_CASE(every_individual_is_computed_again_as_it_was_recorded) {
+    // Some are simulated from the beginning, some from a saved state.
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "28"}).code == 0);
     std::map<std::pair<int, int>, IndividualRow> rows;
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(every_individual_that_ever_lived_is_had_again_as_it_was_rec
         BOOST_TEST(genome.id == row.genome, at);
         BOOST_TEST(static_cast<int>(genome.links.size()) == row.links, at);
     }
-    // A run recorded as a sample has its individuals all the same.
+    // So are those of a run that was recorded as a sample.
     test::write(place.script(), replaced(small, "name = 'small'", "name = 'small', record = 'sample'"));
     const std::string sample = place.path / "sample";
     BOOST_REQUIRE(
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(every_individual_that_ever_lived_is_had_again_as_it_was_rec
     BOOST_TEST(planula_says(full).out == planula_says(part).out);
 }
 
-BOOST_AUTO_TEST_CASE(an_individual_is_named_by_generation_and_slot_that_the_run_has) {
+BOOST_AUTO_TEST_CASE(generation_and_slot_must_be_those_of_an_individual_of_the_run) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const auto refused = [&](std::vector<std::string> words, int code, const std::string &part) {
@@ -117,10 +117,10 @@ BOOST_AUTO_TEST_CASE(an_individual_is_named_by_generation_and_slot_that_the_run_
     };
     refused({"--generation", "2", "--slot", "0"}, 65, ": no generation 2; they are 0 to 1");
     refused({"--generation", "1", "--slot", "6"}, 65, ": no slot 6; they are 0 to 5");
-    refused({"--generation", "1"}, 2, "--generation and --slot name an individual together");
-    refused({"--slot", "1"}, 2, "--generation and --slot name an individual together");
+    refused({"--generation", "1"}, 2, "--generation and --slot are given together");
+    refused({"--slot", "1"}, 2, "--generation and --slot are given together");
     refused({"--slot", "-1", "--generation", "1"}, 2, "--slot takes a whole number of 0 or more");
-    refused({"--slot", "1", "--generation", "1", "--genome", "3"}, 2, "--genome names a champion");
+    refused({"--slot", "1", "--generation", "1", "--genome", "3"}, 2, "give either --genome");
     // A run whose record was edited is not simulated.
     const fs::path file = place.run() / "generations.csv";
     test::write(file, replaced(content(file), "\n1,", "\n1,1"));

@@ -25,7 +25,7 @@ struct Parts : Workplace {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(parts_that_are_gathered_are_the_whole) {
+BOOST_AUTO_TEST_CASE(merged_parts_equal_the_whole) {
     const Parts place;
     const fs::path whole = place.part("whole", "1:4", "5"), a = place.part("a", "1:2", "5"),
                    b = place.part("b", "3:4", "5");
@@ -34,20 +34,20 @@ BOOST_AUTO_TEST_CASE(parts_that_are_gathered_are_the_whole) {
     const Said said = planula_says(words);
     BOOST_TEST(said.code == 0, said.err);
     BOOST_TEST(said.out ==
-               into.string() + ": 4 runs copied, 0 replaced by a longer one, 0 known already, 0 refused\n");
+               into.string() + ": 4 runs copied, 0 replaced by a longer one, 0 there already, 0 refused\n");
     BOOST_TEST(difference(whole, into) == "");
     const Said again = planula_says(words);
     BOOST_TEST(again.code == 0);
-    BOOST_TEST(contains(again.out, "0 runs copied, 0 replaced by a longer one, 4 known already, 0 refused"),
+    BOOST_TEST(contains(again.out, "0 runs copied, 0 replaced by a longer one, 4 there already, 0 refused"),
                again.out);
     BOOST_TEST(difference(whole, into) == "");
 }
 
-BOOST_AUTO_TEST_CASE(of_two_lengths_of_a_run_the_longer_stays) {
+BOOST_AUTO_TEST_CASE(the_longer_of_two_lengths_of_a_run_stays) {
     const Parts place;
     const fs::path longer = place.part("longer", "1", "9"), shorter = place.part("shorter", "1", "5"),
                    into = place.part("into", "1", "7");
-    BOOST_TEST(contains(planula_says({"merge", shorter, "--into", into}).out, "1 known already"));
+    BOOST_TEST(contains(planula_says({"merge", shorter, "--into", into}).out, "1 there already"));
     const Said said = planula_says({"merge", longer, "--into", into});
     BOOST_TEST(said.code == 0, said.err);
     BOOST_TEST(contains(said.out, "0 runs copied, 1 replaced by a longer one"), said.out);
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(of_two_lengths_of_a_run_the_longer_stays) {
     BOOST_TEST(complete_generations(shorter / "small/seed-001") == 5);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_under_way_is_gathered_and_resumes) {
+BOOST_AUTO_TEST_CASE(an_unfinished_run_is_merged_and_resumes) {
     const Parts place;
     const fs::path into = place.path / "into", from = place.path / "from";
     const pid_t child = start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations",
@@ -68,14 +68,14 @@ BOOST_AUTO_TEST_CASE(a_run_under_way_is_gathered_and_resumes) {
     BOOST_TEST(difference(place.part("whole", "1", generations), into) == "");
 }
 
-BOOST_AUTO_TEST_CASE(what_contradicts_is_refused_by_name_and_hinders_no_other_run) {
+BOOST_AUTO_TEST_CASE(contradicting_runs_are_refused_by_name_and_the_others_merged) {
     const Parts place;
     const fs::path from = place.part("from", "1:6", "5"),
                    into = place.part("into", "2", "5", {"--set", "drag_normal=2"});
     const auto seed = [](const fs::path &folder, int number) {
         return folder / "small" / ("seed-00" + std::to_string(number));
     };
-    // 2 is another run there; 3 is damaged here; 4 is no run here; 5 is in use; 6 was forged from another run.
+    // 2 is another run in `into`; in `from` 3 is damaged, 4 is not a run, 5 is in use, 6 was forged from another run.
     test::write(seed(from, 3) / "generations.csv", content(seed(from, 3) / "generations.csv") + "\n");
     fs::remove(seed(from, 4) / "identity.csv");
     const FolderLock held(seed(from, 5));
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(what_contradicts_is_refused_by_name_and_hinders_no_other_ru
     const auto before = all_files(from), there = all_files(into);
     const Said said = planula_says({"merge", from, "--into", into});
     BOOST_TEST(said.code == 65);
-    BOOST_TEST(contains(said.out, "1 runs copied, 0 replaced by a longer one, 0 known already, 5 refused\n"),
+    BOOST_TEST(contains(said.out, "1 runs copied, 0 replaced by a longer one, 0 there already, 5 refused\n"),
                said.out);
     for (const std::string &line :
          {seed(from, 2).string() + " and " + seed(into, 2).string() +
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(what_contradicts_is_refused_by_name_and_hinders_no_other_ru
     BOOST_TEST(difference(seed(from, 1), seed(into, 1)) == "");
 }
 
-BOOST_AUTO_TEST_CASE(a_merge_that_was_killed_is_completed_by_the_next) {
+BOOST_AUTO_TEST_CASE(the_next_merge_completes_one_that_was_killed) {
     const Parts place;
     const fs::path from = place.part("from", "1:2", "5"), into = place.part("into", "1", "3");
     const fs::path setting = into / "small";
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_merge_that_was_killed_is_completed_by_the_next) {
     BOOST_TEST(difference(from, into) == "");
 }
 
-BOOST_AUTO_TEST_CASE(merge_says_which_folder_it_cannot_take) {
+BOOST_AUTO_TEST_CASE(merge_says_which_folder_it_cannot_use) {
     const Parts place;
     const fs::path from = place.part("from", "1", "2");
     BOOST_TEST(contains(planula_says({"merge", from}).err, "planula merge needs --into DIR"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reduce, witness and frames: which runs they take, and where they write.
+// reduce, witness and frames: which runs they read, and where they write.
 #include "record/csv.h"
 #include "record/run_reader.h"
 #include "support/commands.h"
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Enough individuals for one that lives.
+// Enough individuals that one is viable.
 const std::string thirty = replaced(small, "population = 6", "population = 30");
 
 /// A command that reads runs of the script and writes tables into `out`.
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(longer_runs_are_shown_as_they_were_after_fewer_generations)
     BOOST_TEST(difference(then, place.path / "all") != "");
 }
 
-BOOST_AUTO_TEST_CASE(of_the_seeds_asked_for_each_that_is_missing_is_told_and_no_other_is_read) {
+BOOST_AUTO_TEST_CASE(seeds_asked_for_are_read_alone_and_missing_ones_reported) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1:3"}).code == 0);
     const std::string out = place.path / "data";
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(runs_of_another_identity_or_too_few_generations_are_left_ou
     BOOST_TEST(lines(said.err) == 5, said.err);
     BOOST_TEST(difference(expected, out) == "");
 
-    // An edited fitness is another experiment, and a setting of the same name in it too.
+    // A changed fitness makes another experiment, even under the same name of the setting.
     test::write(place.script(), replaced(small, "name = 'small'",
                                          "name = 'small', fitness = function(l) return l.cells end"));
     for (const char *command : {"reduce", "witness", "sensitivity"}) {
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(runs_of_another_identity_or_too_few_generations_are_left_ou
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_is_not_as_it_was_recorded_is_not_read) {
+BOOST_AUTO_TEST_CASE(an_altered_run_is_not_read) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const fs::path file = place.run() / "generations.csv", manifest = place.run() / "manifest.csv";
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_not_as_it_was_recorded_is_not_read) {
     BOOST_TEST(fs::is_empty(place.path / "data"));
 }
 
-BOOST_AUTO_TEST_CASE(no_command_writes_tables_into_the_folder_of_a_run) {
+BOOST_AUTO_TEST_CASE(tables_are_not_written_into_the_folder_of_a_run) {
     const Workplace place(thirty);
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     BOOST_REQUIRE(tables_of(place, "reduce", place.path / "data").code == 0);
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_folder_of_tables_that_another_process_writes_into_is_refu
     BOOST_TEST(tables_of(place, "reduce", out).code == 0);
 }
 
-BOOST_AUTO_TEST_CASE(frames_are_those_of_the_recorded_best_alone) {
+BOOST_AUTO_TEST_CASE(frames_are_made_only_if_the_best_moves_as_recorded) {
     const Workplace place(thirty);
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const std::string data = place.path / "data", out = place.path / "frames";
@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(witness_has_a_row_for_each_run_and_one_for_their_setting) {
     BOOST_TEST(lines(champions) == 2);
     BOOST_TEST(contains(champions, "\nsmall,2,"), champions);
     BOOST_TEST(contains(content(fs::path(data) / "engines.csv"), "\nsmall,1,"));
-    // Softer springs, other lives: the runs are not of such an experiment.
+    // With softer springs the individuals move otherwise: the runs do not belong to such an experiment.
     const Said other =
         tables_of(place, "witness", data, {"--generations", "1", "--set", "spring_stiffness=50"});
     BOOST_TEST(other.code == 65);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// planula run: which runs are one, which folders it takes, and that whoever stops and continues it changes no byte.
+// planula run: what makes two runs the same, which folders it accepts, and that stopping and resuming change no byte.
 #include "base/lane_sets.h"
 #include "record/csv.h"
 #include "record/kept_state.h"
@@ -86,7 +86,7 @@ struct Identities : Workplace {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(what_decides_no_life_leaves_a_run_the_run_it_is) {
+BOOST_AUTO_TEST_CASE(what_does_not_affect_results_does_not_change_the_identity) {
     const Identities place;
     const auto before = all_files(place.runs());
     const std::string setting = "{ name = 'small', title";
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(what_decides_no_life_leaves_a_run_the_run_it_is) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_script_may_be_called_otherwise_and_lie_elsewhere) {
+BOOST_AUTO_TEST_CASE(the_name_and_folder_of_the_script_do_not_matter) {
     const Identities place;
     const auto before = all_files(place.runs());
     fs::create_directories(place.path / "deep/er");
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(the_script_may_be_called_otherwise_and_lie_elsewhere) {
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(whatever_decides_a_life_makes_another_run_which_is_refused_with_its_name) {
+BOOST_AUTO_TEST_CASE(what_affects_results_makes_another_run_which_is_refused_by_name) {
     const Identities place;
     const auto before = all_files(place.runs());
     const auto function = [](const std::string &name, int line) {
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(whatever_decides_a_life_makes_another_run_which_is_refused_
     const Said edited = place.says({"", "half = 0.5", "half = 0.6"});
     BOOST_TEST(contains(edited.err, "asked for with that of " + place.script() + ":14"), edited.err);
 
-    // A start that comes in addition.
+    // With a start.
     fs::remove_all(place.runs());
     BOOST_TEST(place.says({"", start_text, ""}).code == 0);
     const Said added = place.says({"", "", ""});
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(whatever_decides_a_life_makes_another_run_which_is_refused_
                added.err);
 }
 
-BOOST_AUTO_TEST_CASE(a_choice_from_the_command_line_is_kept_by_name_and_read_back) {
+BOOST_AUTO_TEST_CASE(a_choice_from_the_command_line_is_recorded_by_name_and_read_back) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--set", "division_turn=daughter"}).code == 0);
     const std::string kept = test::content(place.run() / "script" / "overrides.csv");
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(a_choice_from_the_command_line_is_kept_by_name_and_read_bac
     BOOST_TEST(verified.code == 0, verified.err);
 }
 
-BOOST_AUTO_TEST_CASE(every_parameter_that_evolution_reads_makes_another_run_and_no_other_does) {
+BOOST_AUTO_TEST_CASE(exactly_the_parameters_that_evolution_reads_make_another_run) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const auto before = all_files(place.runs());
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(every_parameter_that_evolution_reads_makes_another_run_and_
     for (const ParameterRow &row : parameter_rows()) {
         const double value = parameter(recorded.settings[0].parameters, row.name);
         Said said{65, "", ""};
-        // The first other value that is one.
+        // The first other value that is allowed.
         for (const double other :
              {value / 2, value * 2, value - 1, value + 1, value + 0.5, row.highest, row.lowest}) {
             if (said.code != 65) break;
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(every_parameter_that_evolution_reads_makes_another_run_and_
     BOOST_TEST(deciding > 80);
 }
 
-BOOST_AUTO_TEST_CASE(a_seed_is_known_by_its_record_and_not_by_its_folder) {
+BOOST_AUTO_TEST_CASE(the_seed_of_a_run_is_that_of_its_record_not_of_its_folder) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     fs::rename(place.run(1), place.run(2));
@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(a_seed_is_known_by_its_record_and_not_by_its_folder) {
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(how_much_is_recorded_does_not_change_within_a_folder) {
+BOOST_AUTO_TEST_CASE(how_much_is_recorded_cannot_change_within_a_folder) {
     const std::string sample = replaced(small, "name = 'small'", "name = 'small', record = 'sample'");
     for (const bool full_first : {true, false}) {
         const Workplace place(full_first ? small : sample);
@@ -282,19 +282,19 @@ BOOST_AUTO_TEST_CASE(how_much_is_recorded_does_not_change_within_a_folder) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(every_folder_is_looked_at_before_a_byte_is_written) {
+BOOST_AUTO_TEST_CASE(every_folder_is_checked_before_anything_is_written) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "2:3"}).code == 0);
     const auto before = all_files(place.runs());
     const Said said = place.run_says({"--seeds", "1:3", "--population", "8"});
     BOOST_TEST(said.code == 73);
-    BOOST_TEST(contains(said.err, "Of the 3 runs asked for, 2 meet such a folder. Nothing was changed."),
+    BOOST_TEST(contains(said.err, "Of the 3 runs asked for, 2 have such a folder. Nothing was changed."),
                said.err);
     BOOST_TEST(!fs::exists(place.run(1)));
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_run_of_this_program_is_refused_by_name) {
+BOOST_AUTO_TEST_CASE(a_folder_without_a_run_of_this_program_is_refused_by_name) {
     const Workplace place;
     const auto refused = [&](const std::string &part) {
         const auto before = all_files(place.runs());
@@ -303,7 +303,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_run_of_this_program_is_refused_by_name) {
         BOOST_TEST(contains(said.err, place.run().string() + part), said.err);
         BOOST_TEST((all_files(place.runs()) == before), part);
     };
-    // Runs that the program recorded before a run had an identity: complete, and under way.
+    // Runs that the program recorded before runs had an identity: complete, and unfinished.
     fs::create_directories(place.run());
     test::write(place.run() / "manifest.csv", "key,value\nversion,0.1.0\n");
     refused(
@@ -319,7 +319,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_run_of_this_program_is_refused_by_name) {
     refused(" is not a folder");
     fs::remove(place.run());
 
-    // What a process left that was killed before it had named its run.
+    // What a process left that was killed before it had written the identity of its run.
     fs::create_directories(place.run() / "script");
     test::write(place.run() / "identity.csv.tmp", "key,va");
     test::write(place.run() / "script" / "other.lua", "return {}");
@@ -328,7 +328,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_run_of_this_program_is_refused_by_name) {
     BOOST_TEST(difference(place.path / "fresh", place.runs()) == "");
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_became_longer_is_the_longer_run) {
+BOOST_AUTO_TEST_CASE(a_continued_run_equals_one_that_was_as_long_from_the_start) {
     const Workplace place;
     const auto runs = [&](const std::string &out, const std::string &generations,
                           const std::string &threads) {
@@ -342,14 +342,14 @@ BOOST_AUTO_TEST_CASE(a_run_that_became_longer_is_the_longer_run) {
     // The longest stays.
     runs("stages", "12", "1");
     BOOST_TEST(difference(place.path / "whole", place.path / "stages") == "");
-    // So it is where the script itself asks for more.
+    // The same if the script asks for more.
     test::write(place.script(), replaced(small, "generations = 2", "generations = 41"));
     BOOST_TEST(planula_says({"run", place.script(), "--out", place.path / "stages", "--seeds", "1"}).code ==
                0);
     BOOST_TEST(complete_generations(place.path / "stages/small/seed-001") == 41);
 }
 
-BOOST_AUTO_TEST_CASE(threads_lanes_and_the_folder_change_no_byte) {
+BOOST_AUTO_TEST_CASE(threads_lanes_and_folders_change_no_byte) {
     const Workplace place;
     const std::string other = place.path / "other", widest(name_of(chosen_lanes()));
     BOOST_TEST(place.run_says({"--seeds", "1"}).code == 0);
@@ -380,7 +380,7 @@ BOOST_AUTO_TEST_CASE(a_run_copied_elsewhere_resumes_there) {
 
 namespace {
 
-/// A run that is to be the one that nobody disturbed, of as many generations as it has.
+/// Whether a run equals one of the same generations that was never stopped.
 void check_undisturbed(const Workplace &place) {
     const std::string generations = std::to_string(complete_generations(place.run()));
     fs::remove_all(place.path / "whole");
@@ -397,7 +397,7 @@ void damage(const fs::path &file) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_may_end_sooner_than_it_was_begun_for) {
+BOOST_AUTO_TEST_CASE(a_stopped_run_may_be_resumed_with_fewer_generations) {
     const Workplace place;
     const pid_t child = start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations",
                                                     "100000", "--checkpoint", "3", "--out", place.runs()});
@@ -406,16 +406,16 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_stopped_may_end_sooner_than_it_was_begun_for
     check_undisturbed(place);
 }
 
-BOOST_AUTO_TEST_CASE(a_complete_run_that_was_killed_while_it_became_longer_resumes) {
+BOOST_AUTO_TEST_CASE(a_complete_run_that_was_killed_while_continued_resumes) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "30"}).code == 0);
     const auto shorter = all_files(place.runs());
-    // Without checkpoints, so that the newest state is one of those that stay.
+    // Without checkpoints, so that the newest state is one that is kept for good.
     const pid_t child =
         start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations", "100000",
                                     "--checkpoint", "1000000", "--out", place.runs()});
     BOOST_TEST(kill_once_there(child, place.run() / "states/000100.state") == -SIGKILL);
-    // Until then the shorter run is there.
+    // Until then the folder has the shorter run.
     for (const auto &[file, bytes] : shorter) BOOST_TEST((all_files(place.runs())[file] == bytes), file);
     BOOST_TEST(complete_generations(place.run()) == 30);
 
@@ -425,7 +425,7 @@ BOOST_AUTO_TEST_CASE(a_complete_run_that_was_killed_while_it_became_longer_resum
     check_undisturbed(place);
 }
 
-BOOST_AUTO_TEST_CASE(a_damaged_state_is_passed_over_and_hinders_no_later_process) {
+BOOST_AUTO_TEST_CASE(a_damaged_state_is_ignored_and_does_not_stop_later_processes) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "30"}).code == 0);
     damage(place.run() / "states/000029.state");
@@ -437,7 +437,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_state_is_passed_over_and_hinders_no_later_process
     BOOST_TEST(said.code == 0, said.err);
     check_undisturbed(place);
 
-    // Where no state is left, the run stays what it is.
+    // Without any state the run stays as it is.
     damage(place.run() / "states/000025.state");
     const fs::path last = state_path(place.run(), complete_generations(place.run()) - 1);
     damage(last);
@@ -453,7 +453,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_state_is_passed_over_and_hinders_no_later_process
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_process_left_that_was_killed_at_the_very_end_of_a_run_goes) {
+BOOST_AUTO_TEST_CASE(what_a_process_left_that_was_killed_at_the_end_of_a_run_is_removed) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "5"}).code == 0);
     const auto before = all_files(place.runs());
@@ -463,7 +463,7 @@ BOOST_AUTO_TEST_CASE(what_a_process_left_that_was_killed_at_the_very_end_of_a_ru
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(a_shorter_run_that_is_asked_for_leaves_a_longer_one_under_way) {
+BOOST_AUTO_TEST_CASE(asking_for_fewer_generations_leaves_a_longer_unfinished_run_alone) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "5"}).code == 0);
     const pid_t child = start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations",
@@ -477,7 +477,7 @@ BOOST_AUTO_TEST_CASE(a_shorter_run_that_is_asked_for_leaves_a_longer_one_under_w
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_lacks_a_file_is_refused_by_its_name) {
+BOOST_AUTO_TEST_CASE(a_run_without_one_of_its_files_is_refused_by_the_name_of_the_file) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const auto whole = all_files(place.runs());
@@ -497,7 +497,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_lacks_a_file_is_refused_by_its_name) {
     BOOST_TEST((all_files(place.runs()) == whole));
 }
 
-BOOST_AUTO_TEST_CASE(all_runs_reach_a_level_before_any_goes_beyond_it) {
+BOOST_AUTO_TEST_CASE(all_runs_reach_a_level_before_any_goes_further) {
     const Workplace place;
     const std::vector<std::string> words{
         "run",      place.script(), "--out",     place.runs(), "--seeds",      "1:4",
@@ -520,12 +520,12 @@ BOOST_AUTO_TEST_CASE(all_runs_reach_a_level_before_any_goes_beyond_it) {
         interrupted += end_of(child) != 0;
         const auto runs = statuses(place.runs());
         BOOST_TEST(runs.size() == 4u);
-        // One that was just replacing its shorter results by longer ones has a checkpoint of these.
+        // A process that was replacing shorter results by longer ones has left a checkpoint of the longer.
         for (const RunStatus &run : runs)
             BOOST_TEST(std::max(run.complete, run.kept) >= level, run.folder.string() << " at " << level);
     }
     BOOST_TEST(interrupted == 3);
-    // The levels in between leave nothing in the results.
+    // The levels before the last leave no trace in the results.
     const fs::path whole = place.path / "whole";
     BOOST_TEST(
         planula_says({"run", place.script(), "--out", whole, "--seeds", "1:4", "--generations", "9"}).code ==
@@ -537,13 +537,14 @@ BOOST_AUTO_TEST_CASE(all_runs_reach_a_level_before_any_goes_beyond_it) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(levels_are_ascending_and_instead_of_generations) {
+BOOST_AUTO_TEST_CASE(levels_are_ascending_and_replace_generations) {
     const Workplace place;
     for (const char *levels : {"", "5,", "5,5", "9,5", "0", "x", "5 9", "1e2"}) {
         const Said said = place.run_says({"--levels", levels});
         BOOST_TEST(said.code == 2, levels);
-        BOOST_TEST(contains(said.err, "--levels takes ascending numbers of generations, as 25,50,100, not '"),
-                   said.err);
+        BOOST_TEST(
+            contains(said.err, "--levels takes ascending numbers of generations, such as 25,50,100, not '"),
+            said.err);
     }
     const Said both = place.run_says({"--levels", "5", "--generations", "5"});
     BOOST_TEST(both.code == 2);
@@ -555,7 +556,7 @@ BOOST_AUTO_TEST_CASE(levels_are_ascending_and_instead_of_generations) {
     check_undisturbed(place);
 }
 
-BOOST_AUTO_TEST_CASE(the_parts_of_a_design_are_each_run_once) {
+BOOST_AUTO_TEST_CASE(each_run_of_a_design_is_in_one_part) {
     const Workplace place(
         "local paper = require 'paper'\n"
         "return paper.design { name = 'two', parameters = { population = 6, generations = 1,\n"
@@ -586,7 +587,7 @@ BOOST_AUTO_TEST_CASE(the_parts_of_a_design_are_each_run_once) {
     };
     for (const char *part : {"0:2", "3:2", "1", "1:", ":2", "x:2", "1:2:3", ""})
         refused(part, "--part takes I:N with 1 <= I <= N, not '" + std::string(part) + "'");
-    refused("3:3", "--part 3:3: there are 2 runs, so that this part has none");
+    refused("3:3", "--part 3:3: there are 2 runs, so this part is empty");
     BOOST_TEST(!fs::exists(place.runs()));
 }
 
@@ -597,7 +598,7 @@ BOOST_AUTO_TEST_CASE(invalid_individuals_are_reported_at_the_end_of_a_run) {
         "fitness = function(life) return life.births > 1.5 and life.rest.x ~= 0 and 0/0 or 0/0 end"));
     const Said said = place.run_says({"--seeds", "1", "--generations", "1"});
     BOOST_TEST(said.code == 0, said.err);
-    BOOST_TEST(contains(said.err, "6 individuals count as not valid, the first because: "), said.err);
+    BOOST_TEST(contains(said.err, "6 individuals count as invalid; the first because "), said.err);
 }
 
 BOOST_AUTO_TEST_CASE(a_signal_stops_the_run_with_75_and_says_how_to_resume) {
@@ -627,7 +628,7 @@ bool has_checkpoint(const fs::path &runs) {
 
 /// Gives one command again and again and ends it early, after a part of the time that it takes when left alone
 /// (so on a machine of any speed), until that has left a checkpoint to resume from `often` times; then leaves it
-/// alone. One that was too fast for its signal is compared with the undisturbed one and begun anew.
+/// alone. A process that ended before its signal is compared with the undisturbed run, and the run is started again.
 struct Disturbance {
     Disturbance(const Workplace &place, int generations, const std::string &seeds, int often,
                 const std::vector<int> &signals) {
@@ -655,14 +656,14 @@ struct Disturbance {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_run_killed_and_stopped_again_and_again_ends_with_the_same_bytes) {
+BOOST_AUTO_TEST_CASE(a_run_killed_and_stopped_many_times_ends_with_the_same_bytes) {
     const Workplace place;
     const Disturbance done(place, 60, "1", 6, {SIGKILL, SIGKILL, SIGTERM});
     BOOST_TEST(done.ended_early == 6);
     BOOST_TEST(done.as_undisturbed);
 }
 
-BOOST_AUTO_TEST_CASE(runs_that_resume_at_once_and_are_stopped_are_those_that_run_alone) {
+BOOST_AUTO_TEST_CASE(runs_that_are_stopped_and_resumed_together_equal_those_that_run_alone) {
     const Workplace place;
     const Disturbance done(place, 40, "1:3", 4, {SIGTERM});
     BOOST_TEST(done.ended_early == 4);
@@ -675,7 +676,7 @@ BOOST_AUTO_TEST_CASE(runs_that_resume_at_once_and_are_stopped_are_those_that_run
     BOOST_TEST(difference(alone, place.runs()) == "");
 }
 
-BOOST_AUTO_TEST_CASE(a_run_in_use_ends_the_others_with_their_work_kept) {
+BOOST_AUTO_TEST_CASE(a_run_in_use_ends_the_command_and_saves_the_other_runs) {
     const Workplace place;
     const pid_t first = start_run(place, place.runs(), 100000, "2");
     BOOST_TEST(wait_until([&] { return fs::exists(place.run(2) / "checkpoint"); }));
@@ -696,14 +697,14 @@ BOOST_AUTO_TEST_CASE(a_second_process_on_one_run_ends_at_once_with_73) {
     kill(first, SIGKILL);
     BOOST_TEST(end_of(first) == -SIGKILL);
 
-    // The lock died with its holder.
+    // The lock ended with the process that held it.
     const Said third = place.run_says({"--seeds", "1"});
     BOOST_TEST(third.code == 0, third.err);
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_another_process_completes_meanwhile_is_left_to_it) {
+BOOST_AUTO_TEST_CASE(a_run_that_another_process_completes_is_left_alone) {
     const Workplace place;
-    // The second of two runs is completed by another process while the first is under way.
+    // The second of two runs is completed by another process while the first one runs.
     const pid_t first =
         start(place.path / "said", {"run", place.script(), "--seeds", "1:2", "--threads", "1", "--checkpoint",
                                     "1", "--out", place.runs(), "--levels", "400"});
@@ -716,6 +717,6 @@ BOOST_AUTO_TEST_CASE(a_run_that_another_process_completes_meanwhile_is_left_to_i
     BOOST_TEST(end_of(first) == 0);
     BOOST_TEST((all_files(place.run(2)) == before));
     BOOST_TEST(
-        contains(content(place.path / "said"), "small seed 2: another process has completed it meanwhile"),
+        contains(content(place.path / "said"), "small seed 2: completed by another process in the meantime"),
         content(place.path / "said"));
 }

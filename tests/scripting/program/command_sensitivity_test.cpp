@@ -6,7 +6,7 @@
 using namespace planula;
 using namespace planula::test;
 
-BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_parameter_and_factor_that_concern_the_setting) {
+BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_factor_of_each_parameter_that_the_setting_reads) {
     const Workplace place(
         replaced(replaced(small, "population = 6", "population = 30"), "name = 'small'",
                  "name = 'small', sensitivity = { sample = 20, factors = { 0.5, 2 },\n"
@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_parameter_and_factor_that_co
     BOOST_TEST(said.code == 0, said.err);
     BOOST_TEST(said.out == data + '\n');
     BOOST_TEST(contains(said.err, "sensitivity: drag_normal, 1 of 4\n"), said.err);
-    BOOST_TEST(contains(said.err, "knot_interval = 20 is passed over: parameters break the rule: "
+    BOOST_TEST(contains(said.err, "knot_interval = 20 is skipped: parameters break the rule: "
                                   "update_interval is a multiple of knot_interval\n"),
                said.err);
     const std::string table = content(std::filesystem::path(data) / "sensitivity.csv");
@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE(sensitivity_has_a_row_for_each_parameter_and_factor_that_co
     BOOST_TEST(!contains(table, "gravity"), table);
 }
 
-BOOST_AUTO_TEST_CASE(sensitivity_varies_what_lives_used_where_the_world_states_numbers) {
+BOOST_AUTO_TEST_CASE(sensitivity_varies_the_numbers_that_an_environment_states_itself) {
     const auto table_with = [](const std::string &drag) {
         const Workplace place(
             replaced(replaced(small, "population = 6", "population = 30"), "name = 'small'",

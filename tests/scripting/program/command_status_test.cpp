@@ -79,7 +79,7 @@ class Json {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_reader_of_json_is_strict) {
+BOOST_AUTO_TEST_CASE(the_json_reader_of_this_test_is_strict) {
     for (const char *good : {"{}", "[]", "{ \"a\": [1, -2.5e3, null, \"x\\\"\\u00e4\"] }\n"})
         BOOST_TEST(Json(good).is_valid, good);
     for (const char *bad :
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_reader_of_json_is_strict) {
         BOOST_TEST(!Json(bad).is_valid, bad);
 }
 
-BOOST_AUTO_TEST_CASE(status_tells_how_far_the_runs_are) {
+BOOST_AUTO_TEST_CASE(status_reports_how_far_the_runs_are) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1:2"}).code == 0);
     BOOST_REQUIRE(place.run_says({"--seeds", "2", "--generations", "3"}).code == 0);
@@ -99,20 +99,20 @@ BOOST_AUTO_TEST_CASE(status_tells_how_far_the_runs_are) {
     BOOST_TEST(contains(said.out, "4 runs, "), said.out);
     BOOST_TEST(contains(said.out, " MB, 30 evaluations\n"), said.out);
     for (const char *line : {"\n  1 with 2 generations complete\n", "\n  1 with 3 generations complete\n",
-                             "\n  2 with nothing complete\n", "\n  0 under way to more\n",
-                             "\n  1 that cannot be read\n", "\nnobody is running them now\n"})
+                             "\n  2 without complete generations\n", "\n  0 unfinished\n",
+                             "\n  1 unreadable\n", "\nno process is working on them\n"})
         BOOST_TEST(contains(said.out, line), said.out);
     BOOST_TEST(contains(said.out, place.run(4).string() + ": "), said.out);
     BOOST_TEST(!contains(said.out, place.run(1).string()), said.out);
     const Said each = planula_says({"status", place.runs(), "--runs"});
     BOOST_TEST(contains(each.out, place.run(1).string() + ": 2 generations complete, "), each.out);
-    BOOST_TEST(contains(each.out, place.run(3).string() + ": nothing complete, "), each.out);
-    BOOST_TEST(contains(planula_says({"status", place.run(1)}).out,
-                        "there is no run, <setting>/seed-NNN, below this folder"));
+    BOOST_TEST(contains(each.out, place.run(3).string() + ": no generations complete, "), each.out);
+    BOOST_TEST(
+        contains(planula_says({"status", place.run(1)}).out, "no run (<setting>/seed-NNN) in this folder"));
     BOOST_TEST(planula_says({"status", place.path / "nowhere"}).code == 65);
 }
 
-BOOST_AUTO_TEST_CASE(status_in_json_says_the_same_to_programs) {
+BOOST_AUTO_TEST_CASE(status_in_json_says_the_same) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1:2"}).code == 0);
     fs::rename(place.runs(), place.path / "a \"name\" \\ with\ttab");
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(status_in_json_says_the_same_to_programs) {
     BOOST_TEST(Json(planula_says({"status", place.path, "--json"}).out).is_valid);
 }
 
-BOOST_AUTO_TEST_CASE(a_process_that_works_is_told_of_until_it_ends_however_it_ends) {
+BOOST_AUTO_TEST_CASE(a_process_is_reported_until_it_ends_or_is_killed) {
     const Workplace place;
     for (const int signal : {SIGTERM, SIGKILL}) {
         const pid_t child =
@@ -145,8 +145,8 @@ BOOST_AUTO_TEST_CASE(a_process_that_works_is_told_of_until_it_ends_however_it_en
         BOOST_TEST(wait_until(
             [&] { return fs::exists(place.run(1) / "checkpoint") && !read_progress(place.runs()).empty(); }));
         const Said text = planula_says({"status", place.runs()});
-        BOOST_TEST(contains(text.out, "\n  1 under way to more\n"), text.out);
-        BOOST_TEST(contains(text.out, "\na process brings 2 runs to 100000 generations, 0 are there\n"),
+        BOOST_TEST(contains(text.out, "\n  1 unfinished\n"), text.out);
+        BOOST_TEST(contains(text.out, "\na process runs 2 runs to generation 100000; 0 are done\n"),
                    text.out);
         Json json(planula_says({"status", place.runs(), "--json"}).out);
         BOOST_TEST(json.is_valid);
@@ -154,15 +154,15 @@ BOOST_AUTO_TEST_CASE(a_process_that_works_is_told_of_until_it_ends_however_it_en
         BOOST_TEST(json.values["runs_done"] == "0");
         kill(child, signal);
         BOOST_TEST(end_of(child) != 0);
-        BOOST_TEST(contains(planula_says({"status", place.runs()}).out, "\nnobody is running them now\n"));
-        // What a killed process said of itself goes with the next.
+        BOOST_TEST(contains(planula_says({"status", place.runs()}).out, "\nno process is working on them\n"));
+        // The next process removes the file of a killed one.
         BOOST_TEST(fs::exists(fs::path(place.runs()) / "progress") == (signal == SIGKILL));
     }
     BOOST_TEST(place.run_says({"--seeds", "1:2"}).code == 0);
     BOOST_TEST(!fs::exists(fs::path(place.runs()) / "progress"));
 }
 
-BOOST_AUTO_TEST_CASE(processes_of_other_machines_are_told_of_for_a_while) {
+BOOST_AUTO_TEST_CASE(processes_of_other_machines_are_reported_for_ten_minutes) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
     const fs::path folder = fs::path(place.runs()) / "progress";
@@ -184,12 +184,13 @@ BOOST_AUTO_TEST_CASE(processes_of_other_machines_are_told_of_for_a_while) {
     test::write(folder / "far.cluster-13.csv.tmp", "written,le");
     BOOST_TEST(read_progress(place.runs()).size() == 2u);
     const Said said = planula_says({"status", place.runs()});
-    BOOST_TEST(contains(said.out, "\n6.0 evaluations/s, 1 min 40 s left for the level, 3 min 20 s for all\n"),
+    BOOST_TEST(contains(said.out,
+                        "\n6.0 evaluations/s, 1 min 40 s left for this level, 3 min 20 s for all levels\n"),
                said.out);
     Json json(planula_says({"status", place.runs(), "--json"}).out);
     BOOST_TEST(json.values["rate"] == "6");
     BOOST_TEST(json.values["seconds_left"] == "200");
-    // This machine removes nothing of theirs.
+    // The files of other machines stay.
     BOOST_TEST(place.run_says({"--seeds", "1"}).code == 0);
     BOOST_TEST(read_progress(place.runs()).size() == 2u);
 }

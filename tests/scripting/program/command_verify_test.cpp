@@ -14,18 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What verify says of a damaged folder, having ended with 65.
+/// What verify says of a damaged folder; it must end with 65.
 std::string found_in(const fs::path &folder, std::vector<std::string> words = {"--share", "0"}) {
     words.insert(words.begin(), {"verify", folder, "--threads", "1"});
     const Said said = planula_says(words);
     BOOST_TEST(said.code == 65, said.out);
-    BOOST_TEST(contains(said.err, "of the runs are not as they were recorded"), said.err);
+    BOOST_TEST(contains(said.err, "runs differ from their record"), said.err);
     return said.out;
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(runs_that_are_as_recorded_are_verified_as_far_as_is_asked) {
+BOOST_AUTO_TEST_CASE(unaltered_runs_are_verified_as_far_as_is_asked) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1:2", "--generations", "28"}).code == 0);
     const auto before = all_files(place.runs());
@@ -35,15 +35,15 @@ BOOST_AUTO_TEST_CASE(runs_that_are_as_recorded_are_verified_as_far_as_is_asked) 
         contains(all.out,
                  "verify: 2 runs of 56 generations in all: their files agree; 56 generations simulated again "
                  "(100.0 %, --draw 7), all as recorded.\n"
-                 "One altered generation, consistent with all hashes, would have escaped with probability "
+                 "The probability that one altered generation with consistent hashes was not found is "
                  "0.000.\n"),
         all.out);
     const Said none = planula_says({"verify", place.runs(), "--share", "0"});
     BOOST_TEST(none.code == 0);
     BOOST_TEST(contains(none.out, "; 0 generations simulated again (0.0 %"), none.out);
-    BOOST_TEST(contains(none.out, "escaped with probability 1.000."), none.out);
+    BOOST_TEST(contains(none.out, "not found is 1.000."), none.out);
     BOOST_TEST(none.err == "");
-    // A run by its folder, one percent: one stretch at least. The same draw, the same stretch.
+    // One percent of a run is at least one stretch, and the same draw gives the same stretch.
     const Said one = planula_says({"verify", place.run(), "--draw", "3"});
     BOOST_TEST(one.code == 0, one.out);
     BOOST_TEST(contains(one.out, "verify: 1 runs of 28 generations in all"), one.out);
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(runs_that_are_as_recorded_are_verified_as_far_as_is_asked) 
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(a_changed_table_is_found_by_its_generation_without_simulating) {
+BOOST_AUTO_TEST_CASE(a_changed_table_is_found_with_its_generation_without_simulation) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "4"}).code == 0);
     const fs::path file = place.run() / "generations.csv";
@@ -70,10 +70,10 @@ BOOST_AUTO_TEST_CASE(a_changed_table_is_found_by_its_generation_without_simulati
     BOOST_TEST(contains(found_in(place.runs()), "generations.csv"));
 }
 
-BOOST_AUTO_TEST_CASE(a_record_that_is_forged_as_a_whole_is_found_by_simulating) {
+BOOST_AUTO_TEST_CASE(a_consistently_forged_record_is_found_by_simulation) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "4"}).code == 0);
-    // The number of species of generation 2 is raised, and every hash that speaks of it is made anew.
+    // The number of species of generation 2 is raised, and every hash over it is computed again.
     const std::string identity = open_run(place.run()).identity.sha256();
     const std::vector<ChainRow> chain = read_chain(place.run());
     std::vector<GenerationRow> rows = read_table<GenerationRow>(place.run());
@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_record_that_is_forged_as_a_whole_is_found_by_simulating) 
                found);
 }
 
-BOOST_AUTO_TEST_CASE(scripts_and_states_belong_to_a_run) {
+BOOST_AUTO_TEST_CASE(changed_scripts_and_states_are_found) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "28"}).code == 0);
     const auto whole = all_files(place.run());
@@ -128,20 +128,20 @@ BOOST_AUTO_TEST_CASE(scripts_and_states_belong_to_a_run) {
         test::write(place.run() / name, bytes);
     }
     BOOST_TEST(planula_says({"verify", place.runs(), "--share", "0"}).code == 0);
-    // Two whole states that change places.
+    // Two states that are exchanged.
     fs::copy_file(place.run() / "states/000025.state", place.run() / "states/000027.state",
                   fs::copy_options::overwrite_existing);
     BOOST_TEST(contains(found_in(place.runs()), "states/000027.state: "));
 }
 
-BOOST_AUTO_TEST_CASE(verify_tells_of_what_is_no_complete_run) {
+BOOST_AUTO_TEST_CASE(verify_reports_folders_without_a_complete_run) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1:2"}).code == 0);
     fs::create_directories(place.run(3));
     fs::remove(place.run(2) / "manifest.csv");
     const Said said = planula_says({"verify", place.runs(), "--share", "0"});
     BOOST_TEST(said.code == 0, said.out);
-    BOOST_TEST(said.err == place.run(2).string() + ": not complete, passed over\n");
+    BOOST_TEST(said.err == place.run(2).string() + ": not complete, not checked\n");
     test::write(place.run(3) / "manifest.csv", "key,value\n");
     BOOST_TEST(
         contains(found_in(place.runs()),

@@ -91,8 +91,8 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
     refused({"--set", "population=x"}, "--set population takes a number, not 'x'");
     refused({"--generations", "0"}, "generations = 0 is outside");
     refused({"--seeds", "3:1"}, "A:B needs A <= B");
-    refused({"--seeds", "a"}, "--seeds takes A:B or N");
-    refused({"--seeds", "1:2:3"}, "--seeds takes A:B or N");
+    refused({"--seeds", "a"}, "--seeds takes A:B or N, whole numbers");
+    refused({"--seeds", "1:2:3"}, "--seeds takes A:B or N, whole numbers");
     refused({"--threads", "0"}, "--threads takes a whole number of 1 or more");
     refused({"--only", "smal"}, "did you mean 'small'?");
     refused({"--lanes", "skalar"}, "no lanes 'skalar'; did you mean 'scalar'?");
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_value_that_no_setting_reads_cannot_be_set) {
     BOOST_TEST(check_with(in_water + novel, "niche_width=2").code == 2);
     BOOST_TEST(check_with(in_water, "settle_window=20").code == 2);
     BOOST_TEST(check_with(in_water, "update_interval=100").code == 2);
-    // Statistics, and how much is run, are for other commands, too.
+    // Parameters of statistics and the length of runs can always be set: some command reads them.
     for (const char *word : {"confidence=0.9", "seeds=3", "generations=5", "population=9"})
         BOOST_TEST(check_with(in_water, word).code == 0, word);
 }
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(a_bad_script_ends_with_65) {
     BOOST_TEST(planula_says({"check", "nowhere.lua"}).code == 65);
 }
 
-BOOST_AUTO_TEST_CASE(check_and_describe_tell_what_is_there) {
+BOOST_AUTO_TEST_CASE(check_and_describe_print_what_the_script_states) {
     const Workplace place;
     const Said check = planula_says({"check", place.script()});
     BOOST_TEST(check.code == 0);
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(check_and_describe_tell_what_is_there) {
     BOOST_TEST(contains(describe.out, "drag_normal = 2 mass/cell² (standard 1, ours)"), describe.out);
 }
 
-BOOST_AUTO_TEST_CASE(the_ledger_and_the_dictionary_have_a_line_for_everything) {
+BOOST_AUTO_TEST_CASE(parameters_and_columns_have_a_line_for_each) {
     const Said plain = planula_says({"parameters"}), csv = planula_says({"parameters", "--csv"});
     for (const ParameterRow &row : parameter_rows()) {
         BOOST_TEST(contains(plain.out, "  " + std::string(row.name) + " = "), row.name);
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(the_signature_is_one_hash_that_threads_do_not_change) {
     BOOST_TEST(signature("1").out != one.out);
 }
 
-BOOST_AUTO_TEST_CASE(the_program_says_which_model_it_is) {
+BOOST_AUTO_TEST_CASE(the_program_prints_the_revision_of_its_model) {
     const std::string revision(model_revision());
     BOOST_TEST(planula_says({"signature", "--compiled"}).out == revision + '\n');
     BOOST_TEST(planula_says({"--version"}).out ==

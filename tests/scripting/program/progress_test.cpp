@@ -14,7 +14,7 @@
 
 using namespace planula;
 
-BOOST_AUTO_TEST_CASE(durations_are_told_in_two_units) {
+BOOST_AUTO_TEST_CASE(durations_have_two_units) {
     BOOST_TEST(duration_text(0) == "0 s");
     BOOST_TEST(duration_text(59.4) == "59 s");
     BOOST_TEST(duration_text(60) == "1 min 0 s");
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(a_terminal_gets_one_line_that_is_rewritten_and_cleared) {
     BOOST_TEST(out.str().ends_with("\r\x1b[Kdone\n"));
 }
 
-BOOST_AUTO_TEST_CASE(where_a_command_stands_is_shared_from_the_beginning_of_each_level) {
+BOOST_AUTO_TEST_CASE(progress_is_shared_from_the_beginning_of_each_level) {
     std::ostringstream out;
     std::vector<Standing> shared;
     {
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(where_a_command_stands_is_shared_from_the_beginning_of_each
     BOOST_TEST(shared[1].seconds_left_level * shared[1].rate == 40, boost::test_tools::tolerance(1e-9));
 }
 
-BOOST_AUTO_TEST_CASE(the_rewritten_line_speaks_of_all_runs_and_levels) {
+BOOST_AUTO_TEST_CASE(the_rewritten_line_includes_all_runs_and_levels) {
     std::ostringstream out;
     Progress progress(out, true, 100);
     progress.begin_level(25, 2, 8, 3, 50);
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(a_log_is_not_flooded) {
     BOOST_TEST(out.str() == "");
 }
 
-BOOST_AUTO_TEST_CASE(several_runs_tell_of_themselves_line_by_line) {
+BOOST_AUTO_TEST_CASE(several_runs_print_whole_lines) {
     std::ostringstream out;
     {
         Progress progress(out, true, 100);

@@ -12,8 +12,9 @@ namespace {
 
 // The paper's judgement, with the standard parameters or others.
 Evaluation judged(const Life &life, const Parameters &parameters = {}) {
-    return Hooks(test::script("local paper = require 'paper' return paper.experiment { name = 'x' }"), 0,
-                 parameters)
+    return JudgingFunctions(
+               test::script("local paper = require 'paper' return paper.experiment { name = 'x' }"), 0,
+               parameters)
         .judge(life);
 }
 
@@ -52,7 +53,7 @@ BOOST_AUTO_TEST_CASE(activity_adds_a_tenth_of_a_cell_at_most) {
     BOOST_TEST(judged(life, parameters).fitness == 7);
 }
 
-BOOST_AUTO_TEST_CASE(reaching_the_birth_limit_leaves_a_tenth) {
+BOOST_AUTO_TEST_CASE(reaching_the_birth_limit_costs_nine_tenths) {
     Life life = walker();
     life.births = 1024;
     BOOST_TEST(judged(life).fitness == 0.5);
@@ -61,7 +62,7 @@ BOOST_AUTO_TEST_CASE(reaching_the_birth_limit_leaves_a_tenth) {
     BOOST_TEST(judged(life).penalty == 1);
 }
 
-BOOST_AUTO_TEST_CASE(whoever_did_not_live_to_the_end_is_not_valid) {
+BOOST_AUTO_TEST_CASE(only_viable_individuals_are_valid) {
     for (const Outcome outcome : {Outcome::died_out, Outcome::too_small, Outcome::overgrown,
                                   Outcome::never_settled, Outcome::exploded}) {
         Life life = walker();

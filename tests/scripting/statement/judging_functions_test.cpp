@@ -25,19 +25,20 @@ Life life_at(double x) {
 }
 
 double fitness_of(const std::string &expression) {
-    Hooks hooks(with("fitness = function(life, parameters, penalty) return " + expression + " end"), 0, {});
-    const double fitness = hooks.judge(life_at(8)).fitness;
-    BOOST_TEST(hooks.invalid() == 0, hooks.first_problem());
+    JudgingFunctions functions(
+        with("fitness = function(life, parameters, penalty) return " + expression + " end"), 0, {});
+    const double fitness = functions.judge(life_at(8)).fitness;
+    BOOST_TEST(functions.invalid() == 0, functions.first_problem());
     return fitness;
 }
 
 std::string trial(const std::string &function, const std::string &before = "") {
-    return test::refusal([&] { Hooks(with(function, before), 0, {}).try_out(); });
+    return test::refusal([&] { JudgingFunctions(with(function, before), 0, {}).try_out(); });
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
+BOOST_AUTO_TEST_CASE(a_function_sees_the_whole_life) {
     BOOST_TEST(fitness_of("life.displacement") == 8);
     BOOST_TEST(fitness_of("life.finish.x - life.rest.x + life.finish.y + life.cells") == 18);
     BOOST_TEST(fitness_of("#life.path * 100 + life.path[2].x * 10 + life.path[2].y") == 341);
@@ -52,17 +53,18 @@ BOOST_AUTO_TEST_CASE(a_hook_sees_the_whole_life) {
                           "life.settle_steps + life.activity + life.late_actuation") == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_hook_sees_the_parameters_of_its_setting) {
+BOOST_AUTO_TEST_CASE(a_function_sees_the_parameters_of_its_setting) {
     BOOST_TEST(fitness_of("parameters.cell_limit") == 256);
     BOOST_TEST(fitness_of("parameters.gait_time == 'held' and 1 or 0") == 1);
     BOOST_TEST(fitness_of("penalty") == 1);
     Parameters parameters;
     set_parameter(parameters, "cell_limit", 99);
-    Hooks hooks(with("fitness = function(life, parameters) return parameters.cell_limit end"), 0, parameters);
-    BOOST_TEST(hooks.judge(life_at(1)).fitness == 99);
+    JudgingFunctions functions(with("fitness = function(life, parameters) return parameters.cell_limit end"),
+                               0, parameters);
+    BOOST_TEST(functions.judge(life_at(1)).fitness == 99);
 }
 
-BOOST_AUTO_TEST_CASE(a_hook_sees_no_parameter_that_decides_no_life) {
+BOOST_AUTO_TEST_CASE(a_function_sees_only_parameters_that_decide_lives) {
     const auto reading = [](const std::string &name) {
         return trial("fitness = function(life, parameters) return parameters." + name + " end");
     };
@@ -100,60 +102,62 @@ BOOST_AUTO_TEST_CASE(a_value_of_another_kind_is_found_before_the_start) {
         test::contains(trial("behaviour = function() return { 'x' } end"), "behaviour returned string"));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_hook_cannot_judge_is_invalid_counted_and_kept) {
+BOOST_AUTO_TEST_CASE(an_individual_that_cannot_be_judged_is_invalid_and_counted) {
     for (const char *expression :
          {"0/0", "1/0", "1e101", "-1", "nil", "'ten'", "life.nothing", "error('no')", "error({})"}) {
-        Hooks hooks(with("fitness = function(life) return life.finish.x > 5 and (" + std::string(expression) +
-                         ") or 1 end"),
-                    0, {});
-        const Evaluation good = hooks.judge(life_at(1)), bad = hooks.judge(life_at(8));
+        JudgingFunctions functions(with("fitness = function(life) return life.finish.x > 5 and (" +
+                                        std::string(expression) + ") or 1 end"),
+                                   0, {});
+        const Evaluation good = functions.judge(life_at(1)), bad = functions.judge(life_at(8));
         if (std::string(expression) == "nil") continue; // nil or 1 is 1
         BOOST_TEST(good.fitness == 1, expression);
         BOOST_TEST(bad.penalty == 0, expression);
         BOOST_TEST(bad.fitness == 0, expression);
         BOOST_TEST(bad.behaviour.empty(), expression);
-        BOOST_TEST(hooks.invalid() == 1, expression);
-        BOOST_TEST(test::contains(hooks.first_problem(), "test.lua:4: "), hooks.first_problem());
-        hooks.judge(life_at(9));
-        BOOST_TEST(hooks.invalid() == 2, expression);
-        hooks.begin_run();
-        BOOST_TEST(hooks.invalid() == 0, expression);
+        BOOST_TEST(functions.invalid() == 1, expression);
+        BOOST_TEST(test::contains(functions.first_problem(), "test.lua:4: "), functions.first_problem());
+        functions.judge(life_at(9));
+        BOOST_TEST(functions.invalid() == 2, expression);
+        functions.begin_run();
+        BOOST_TEST(functions.invalid() == 0, expression);
     }
 }
 
 BOOST_AUTO_TEST_CASE(a_penalty_outside_0_to_1_is_invalid) {
     for (const char *penalty : {"2", "-0.5", "0/0"}) {
-        Hooks hooks(with("penalty = function() return " + std::string(penalty) + " end"), 0, {});
-        BOOST_TEST(!hooks.judge(life_at(1)).valid(), penalty);
-        BOOST_TEST(hooks.invalid() == 1, penalty);
+        JudgingFunctions functions(with("penalty = function() return " + std::string(penalty) + " end"), 0,
+                                   {});
+        BOOST_TEST(!functions.judge(life_at(1)).valid(), penalty);
+        BOOST_TEST(functions.invalid() == 1, penalty);
     }
 }
 
 BOOST_AUTO_TEST_CASE(descriptors_of_a_run_have_one_length) {
-    Hooks hooks(
+    JudgingFunctions functions(
         with("behaviour = function(life) if life.finish.x > 5 then return { 1, 2, 3 } end return { 1 } end"),
         0, {});
-    BOOST_TEST(hooks.judge(life_at(1)).valid());
-    BOOST_TEST(hooks.judge(life_at(2)).valid());
-    BOOST_TEST(!hooks.judge(life_at(8)).valid());
+    BOOST_TEST(functions.judge(life_at(1)).valid());
+    BOOST_TEST(functions.judge(life_at(2)).valid());
+    BOOST_TEST(!functions.judge(life_at(8)).valid());
 }
 
-BOOST_AUTO_TEST_CASE(a_hook_that_remembers_is_found) {
+BOOST_AUTO_TEST_CASE(a_function_that_depends_on_earlier_calls_is_found) {
     const char *counter = "fitness = function() n = n + 1 return n end";
     BOOST_TEST(
         test::contains(trial(counter, "local n = 0"), "test.lua:4: fitness changes what it closes over"));
-    BOOST_TEST(test::contains(
-        trial("behaviour = function(life) t[#t + 1] = 1 return { #t } end", "local t = {}"),
-        "test.lua:4: behaviour changes what it closes over: a life must be judged by itself alone"));
-    // One that starts to remember only after the trial is found during the run.
-    Hooks late(
+    BOOST_TEST(
+        test::contains(trial("behaviour = function(life) t[#t + 1] = 1 return { #t } end", "local t = {}"),
+                       "test.lua:4: behaviour changes what it closes over: how a life is judged must not "
+                       "depend on other lives"));
+    // One that does so only after the trial is found during the run.
+    JudgingFunctions late(
         with("fitness = function(life) if life.finish.x == 7 then n = n + 1 end return n end", "local n = 1"),
         0, {});
     BOOST_CHECK_NO_THROW(late.try_out());
     BOOST_CHECK_THROW(for (int i = 0; i < 100; ++i) late.judge(life_at(7)), InputError);
 }
 
-BOOST_AUTO_TEST_CASE(a_hook_that_changes_what_it_closes_over_is_found_on_whatever_call) {
+BOOST_AUTO_TEST_CASE(a_function_that_changes_what_it_closes_over_is_found_on_any_call) {
     struct Case {
         const char *before, *change;
     };
@@ -183,20 +187,19 @@ BOOST_AUTO_TEST_CASE(a_hook_that_changes_what_it_closes_over_is_found_on_whateve
         // Found right after the call, whose number is no sample.
         const std::string text = "fitness = function(life, parameters) if life.finish.x == 7 then " +
                                  std::string(change) + " end return 1 end";
-        Hooks hooks(with(text, before), 0, {});
-        BOOST_CHECK_NO_THROW(hooks.try_out());
-        for (int i = 0; i < 10; ++i) BOOST_TEST(hooks.judge(life_at(1)).fitness == 1, change);
-        BOOST_CHECK_NO_THROW(hooks.check_unchanged());
-        const std::string message = test::refusal([&] { hooks.judge(life_at(7)); });
-        BOOST_TEST(
-            message ==
-                "test.lua:4: fitness changes what it closes over: a life must be judged by itself alone",
-            change << " => " << message);
-        BOOST_TEST(test::contains(test::refusal([&] { hooks.memory(); }), "changed by a judgement"));
+        JudgingFunctions functions(with(text, before), 0, {});
+        BOOST_CHECK_NO_THROW(functions.try_out());
+        for (int i = 0; i < 10; ++i) BOOST_TEST(functions.judge(life_at(1)).fitness == 1, change);
+        BOOST_CHECK_NO_THROW(functions.check_unchanged());
+        const std::string message = test::refusal([&] { functions.judge(life_at(7)); });
+        BOOST_TEST(message == "test.lua:4: fitness changes what it closes over: how a life is judged must "
+                              "not depend on other lives",
+                   change << " => " << message);
+        BOOST_TEST(test::contains(test::refusal([&] { functions.memory(); }), "changed by a judgement"));
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_hook_that_only_reads_what_it_closes_over_is_left_alone) {
+BOOST_AUTO_TEST_CASE(a_function_may_read_what_it_closes_over) {
     const char *cases[] = {
         "local t = { 1, 2, x = { 3 } } for k, v in pairs(t) do t[k] = v end",
         "for i = 1, 3 do t[#t + 1] = i end for i = 1, 3 do t[#t] = nil end",
@@ -206,38 +209,39 @@ BOOST_AUTO_TEST_CASE(a_hook_that_only_reads_what_it_closes_over_is_left_alone) {
         "if life.cells == 3 then error('odd') end",
     };
     for (const std::string text : cases) {
-        Hooks hooks(with("fitness = function(life) " + text + " return 1 end", "local t = { 1, 2, 3 }"), 0,
-                    {});
-        for (int i = 0; i < 100; ++i) hooks.judge(life_at(i));
-        BOOST_TEST(test::refusal([&] { hooks.memory(); }) == "", text);
+        JudgingFunctions functions(
+            with("fitness = function(life) " + text + " return 1 end", "local t = { 1, 2, 3 }"), 0, {});
+        for (int i = 0; i < 100; ++i) functions.judge(life_at(i));
+        BOOST_TEST(test::refusal([&] { functions.memory(); }) == "", text);
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_hook_that_closes_over_much_is_looked_at_more_rarely) {
+BOOST_AUTO_TEST_CASE(a_function_that_closes_over_much_is_checked_less_often) {
     const std::string before = "local t = {} for i = 1, 20000 do t[i] = i end";
-    Hooks hooks(with("fitness = function(life) t[life.cells] = life.finish.x return 1 end", before), 0, {});
-    BOOST_TEST(hooks.judge(life_at(10)).fitness == 1);
+    JudgingFunctions functions(
+        with("fitness = function(life) t[life.cells] = life.finish.x return 1 end", before), 0, {});
+    BOOST_TEST(functions.judge(life_at(10)).fitness == 1);
     const std::string message = test::refusal([&] {
-        for (int i = 0; i < 256; ++i) hooks.judge(life_at(7));
+        for (int i = 0; i < 256; ++i) functions.judge(life_at(7));
     });
     const std::string expected =
-        "test.lua:4: what fitness closes over was changed by a judgement: a life must be "
-        "judged by itself alone";
+        "test.lua:4: what fitness closes over was changed by a judgement: how a life is "
+        "judged must not depend on other lives";
     BOOST_TEST(message == expected);
-    BOOST_TEST(test::refusal([&] { hooks.check_unchanged(); }) == expected);
+    BOOST_TEST(test::refusal([&] { functions.check_unchanged(); }) == expected);
     BOOST_TEST(trial("fitness = function(life) t[life.cells] = 0 return 1 end", before) == expected);
 }
 
-BOOST_AUTO_TEST_CASE(a_behaviour_of_varying_length_is_invalid_and_remembers_nothing) {
-    Hooks hooks(
+BOOST_AUTO_TEST_CASE(a_behaviour_of_varying_length_is_invalid) {
+    JudgingFunctions functions(
         with("behaviour = function(life) if life.finish.x > 5 then return { 1, 2, 3 } end return { 1 } end"),
         0, {});
-    BOOST_TEST(hooks.judge(life_at(1)).valid());
-    for (int call = 2; call <= 1024; ++call) BOOST_TEST(!hooks.judge(life_at(8)).valid(), call);
-    BOOST_TEST(hooks.first_problem() == "test.lua:4: behaviour returned 3 numbers, and 1 before");
+    BOOST_TEST(functions.judge(life_at(1)).valid());
+    for (int call = 2; call <= 1024; ++call) BOOST_TEST(!functions.judge(life_at(8)).valid(), call);
+    BOOST_TEST(functions.first_problem() == "test.lua:4: behaviour returned 3 numbers, and 1 before");
 }
 
-BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_gone_after_its_judgement) {
+BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_unreadable_after_its_judgement) {
     BOOST_TEST(
         test::contains(trial("fitness = function(life) life.cells = 5 return 1 end"), "a life is read-only"));
     BOOST_TEST(test::contains(trial("fitness = function(life) life.finish.x = 5 return 1 end"),
@@ -245,24 +249,26 @@ BOOST_AUTO_TEST_CASE(a_life_is_read_only_and_gone_after_its_judgement) {
     BOOST_TEST(test::contains(trial("fitness = function(_, parameters) parameters.seeds = 5 return 1 end"),
                               "parameters.seeds cannot be changed"));
     BOOST_TEST(test::contains(trial("fitness = function() total = 5 return 1 end"), "'total' is not local"));
-    Hooks keeper(with("fitness = function(life) if kept then return kept.cells end kept = life return 1 end",
-                      "local kept"),
-                 0, {});
+    JudgingFunctions keeper(
+        with("fitness = function(life) if kept then return kept.cells end kept = life return 1 end",
+             "local kept"),
+        0, {});
     BOOST_CHECK_THROW(keeper.judge(life_at(1)), InputError);
 }
 
-BOOST_AUTO_TEST_CASE(an_endless_hook_makes_the_individual_invalid) {
-    Hooks hooks(with("fitness = function(life) while life.finish.x > 5 do end return 1 end"), 0, {});
-    BOOST_TEST(hooks.judge(life_at(1)).fitness == 1);
-    BOOST_TEST(!hooks.judge(life_at(8)).valid());
-    BOOST_TEST(test::contains(hooks.first_problem(), "works too long"));
-    BOOST_TEST(hooks.judge(life_at(2)).fitness == 1);
+BOOST_AUTO_TEST_CASE(an_endless_function_makes_the_individual_invalid) {
+    JudgingFunctions functions(with("fitness = function(life) while life.finish.x > 5 do end return 1 end"),
+                               0, {});
+    BOOST_TEST(functions.judge(life_at(1)).fitness == 1);
+    BOOST_TEST(!functions.judge(life_at(8)).valid());
+    BOOST_TEST(test::contains(functions.first_problem(), "executes too many instructions"));
+    BOOST_TEST(functions.judge(life_at(2)).fitness == 1);
 }
 
-BOOST_AUTO_TEST_CASE(a_judge_that_goes_on_remembers_what_it_had_counted_and_seen) {
+BOOST_AUTO_TEST_CASE(a_resumed_judge_has_its_earlier_counts) {
     const auto source =
         with("behaviour = function(life) if life.finish.x > 5 then return { 1, 2, 3 } end return { 1 } end");
-    Hooks first(source, 0, {}), second(source, 0, {});
+    JudgingFunctions first(source, 0, {}), second(source, 0, {});
     // The 5th and 6th judgements are no samples that are judged twice.
     for (int i = 0; i < 4; ++i) first.judge(life_at(1));
     first.judge(life_at(8));

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(swapped_upvalues_count) {
     BOOST_TEST(order("a, b = 1, 2") == order("b, a = 2, 1"));
 }
 
-BOOST_AUTO_TEST_CASE(helpers_count_however_deep) {
+BOOST_AUTO_TEST_CASE(functions_that_a_function_calls_count) {
     const auto with = [](const std::string &innermost) {
         return fitness("function(life) return f(life) end",
                        "local function h(life) return " + innermost +
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(helpers_count_however_deep) {
     BOOST_TEST(inner("1") != inner("2"));
 }
 
-BOOST_AUTO_TEST_CASE(functions_of_one_line_are_told_apart) {
+BOOST_AUTO_TEST_CASE(functions_on_one_line_are_distinguished) {
     const std::string two = "local a, b = function() return 1 end, function() return 2 end ";
     const std::string a = fitness("a", two), b = fitness("b", two);
     BOOST_TEST(a != b);
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(functions_of_one_line_are_told_apart) {
 }
 
 // Functions side by side and in each other, with line feeds at random places, all kept in `t`.
-BOOST_AUTO_TEST_CASE(functions_of_random_layout_are_told_apart) {
+BOOST_AUTO_TEST_CASE(functions_in_random_layout_are_distinguished) {
     std::uint64_t state = 1;
     const auto draw = [&](std::uint64_t below) { return mix(++state) % below; };
     const auto gap = [&] { return draw(3) == 0 ? std::string("\n") : std::string(" "); };
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(cycles_end_and_sharing_counts) {
                64u);
 }
 
-BOOST_AUTO_TEST_CASE(what_has_no_bound_or_no_order_is_refused_with_its_place) {
+BOOST_AUTO_TEST_CASE(what_is_too_large_or_has_no_order_is_refused_with_its_place) {
     const std::string f = "function(life)\nreturn #k end";
     const std::string many = refused("local k = {} for i = 1, 200000 do k[i] = i end", f);
     BOOST_TEST(test::contains(many, "test.lua:3: fitness closes over more than 200000 values"), many);
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_bound_or_no_order_is_refused_with_its_place) {
     BOOST_TEST(test::contains(key, "test.lua:3: fitness closes over a table with a key of type table"), key);
 }
 
-BOOST_AUTO_TEST_CASE(a_function_of_the_library_judges_nothing) {
+BOOST_AUTO_TEST_CASE(a_function_of_the_library_cannot_judge) {
     for (const char *function : {"math.abs", "planula.fill", "pairs {}"})
         BOOST_TEST(test::contains(refused("", function), "test.lua:3: fitness is a function of the library"),
                    function);

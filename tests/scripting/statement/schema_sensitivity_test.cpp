@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(sample_factors_and_parameters_are_as_stated) {
     BOOST_TEST((plan.parameters == std::vector<std::string>{"gravity", "friction"}));
 }
 
-BOOST_AUTO_TEST_CASE(nonsense_is_refused_with_the_rule_and_the_nearest_name) {
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused_with_the_rule_and_the_nearest_name) {
     const auto says = [](const std::string &table, const std::string &part) {
         const std::string said = refused(table);
         BOOST_TEST(test::contains(said, "test.lua:1: "), said);

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(grounds_are_flat_none_points_or_a_function) {
     BOOST_TEST((sampled[3] == Vec2d{0.5, 0.25}));
 }
 
-BOOST_AUTO_TEST_CASE(a_ground_by_a_function_is_asked_from_end_to_end_and_not_beyond) {
+BOOST_AUTO_TEST_CASE(a_ground_function_is_called_from_end_to_end_only) {
     const auto places = [](const std::string &range) {
         std::vector<double> xs;
         for (const Vec2d point :
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
         test::contains(ground("{ height = function(x) return x end, from = 0, to = 1 }"), "step is missing"));
 }
 
-BOOST_AUTO_TEST_CASE(unknown_keys_tell_line_owner_and_nearest_name) {
+BOOST_AUTO_TEST_CASE(unknown_keys_are_reported_with_line_owner_and_nearest_name) {
     BOOST_TEST(test::contains(
         refused_body("serach = 'neat'"),
         "test.lua:3: the experiment has no 'serach'; did you mean 'search'? (allowed: name, "));
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(unknown_keys_tell_line_owner_and_nearest_name) {
     BOOST_TEST(test::contains(refused_body("5"), "test.lua:3: the experiment has a value without a name"));
 }
 
-BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_told_with_the_rule) {
+BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_reported_with_the_rule) {
     BOOST_TEST(test::contains(refused_body("title = 5"), "test.lua:3: title must be a text, not a number"));
     BOOST_TEST(test::contains(refused_body("fitness = 'far'"),
                               "test.lua:3: fitness must be a function, not a text"));
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(all_errors_are_reported_together) {
         BOOST_TEST(test::contains(message, part), message);
 }
 
-BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_told_on_its_line_once) {
+BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_reported_once_with_its_line) {
     const std::string message = refused("local water = paper.aquatic {\n" // 2
                                         "  drga = { normal = 1 } }\n"     // 3
                                         "return paper.design { name = 'x', settings = {\n"
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_told_on_its_line_onc
                message);
 }
 
-BOOST_AUTO_TEST_CASE(the_name_of_an_experiment_is_a_file_name) {
+BOOST_AUTO_TEST_CASE(the_name_of_an_experiment_must_be_a_file_name) {
     for (const std::string name : {"../../../escaped", "a/b", "", "a b", "."}) {
         const std::string message =
             refused("return paper.design {\nname = '" + name + "', settings = { { name = 'a' } } }");
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(the_name_of_an_experiment_is_a_file_name) {
     BOOST_TEST(refused("return paper.design { name = 'A-b_9', settings = { { name = 'a' } } }") == "");
 }
 
-BOOST_AUTO_TEST_CASE(every_text_is_one_line) {
+BOOST_AUTO_TEST_CASE(every_text_must_be_one_line) {
     BOOST_TEST(refused("return paper.experiment { name = 'x',\n title = [[Thick water,\nas in honey]] }") ==
                "test.lua:3: title must be one line, without a line break or a zero byte");
     for (const char *text : {"a\\nb", "a\\r", "\\0", "a\\0b"}) {
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(every_text_is_one_line) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_depart) {
+BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_change_them) {
     const Experiment e =
         experiment("return paper.design { name = 'x', parameters = { seeds = 3, population = 10 },\n"
                    "settings = { { name = 'a' }, { name = 'b', parameters = { population = 12 } } } }",
@@ -354,7 +354,7 @@ BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_
     BOOST_TEST(
         test::contains(refused_body("start = { generations = 2, behaviour = paper.judgement.behaviour }"),
                        "life.finish is known only"));
-    // The penalty is asked of grown bodies, too.
+    // The penalty function is called for grown bodies, too.
     BOOST_TEST(test::contains(
         refused_body("start = { generations = 2, behaviour = function(life) return { life.cells } end },\n"
                      "penalty = function(life) return life.settle_steps > 0 and 1 or 0 end"),
@@ -368,7 +368,7 @@ BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_
                    .settings.size() == 1);
 }
 
-BOOST_AUTO_TEST_CASE(the_descriptors_are_what_they_say) {
+BOOST_AUTO_TEST_CASE(descriptors_have_the_stated_values) {
     const auto described = [](const std::string &name, const Life &life) {
         const Experiment e =
             experiment("return paper.experiment { name = 'x', search = 'map-elites', behaviour "
