@@ -10,17 +10,23 @@ namespace planula {
 
 namespace {
 
+// What the searches of core/evolution do not read; a search that is not named here counts as reading all.
 bool has_search(const Spec &spec, std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), spec.search) != names.end();
 }
 // Generation 0 may be evolved by novelty search (experiment/start.h).
-bool searches_novelty(const Spec &spec) { return spec.search == "novelty" || spec.start; }
-bool breeds_by_species(const Spec &spec) { return spec.search == "neat" || searches_novelty(spec); }
-bool ages_species(const Spec &spec) {
-    return spec.search == "neat" ||
-           (searches_novelty(spec) && spec.parameters.novelty_species == NoveltySpecies::aged);
+bool has_no_species(const Spec &spec) {
+    return !spec.start && has_search(spec, {"nsga2", "nslc", "map-elites"});
 }
-bool keeps_archive(const Spec &spec) { return searches_novelty(spec) || has_search(spec, {"nsga2", "nslc"}); }
+bool ignores_ages(const Spec &spec) {
+    const bool is_equal = spec.parameters.novelty_species == NoveltySpecies::equal;
+    return has_no_species(spec) || (is_equal && has_search(spec, {"novelty", "nsga2", "nslc", "map-elites"}));
+}
+bool shares_by_novelty(const Spec &spec) {
+    return spec.start || !has_search(spec, {"neat", "nsga2", "nslc", "map-elites"});
+}
+bool measures_no_novelty(const Spec &spec) { return !spec.start && has_search(spec, {"neat", "map-elites"}); }
+bool keeps_no_map(const Spec &spec) { return has_search(spec, {"neat", "novelty", "nsga2", "nslc"}); }
 
 std::string of_search(const Spec &spec, const std::string &what) {
     return "its search is '" + spec.search + "', which " + what;
@@ -42,14 +48,14 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, count> 
 }
 
 std::string why_search_does_not_read(const ParameterRow &row, const Spec &spec) {
-    if (is_one_of(row.name, of_species) && !breeds_by_species(spec)) return of_search(spec, "has no species");
-    if (is_one_of(row.name, of_ages) && !ages_species(spec))
-        return of_search(spec, "does not regard the age of species");
-    if (row.name == "novelty_species" && !searches_novelty(spec))
+    if (is_one_of(row.name, of_species) && has_no_species(spec)) return of_search(spec, "has no species");
+    if (is_one_of(row.name, of_ages) && ignores_ages(spec))
+        return of_search(spec, "does not use the age of species");
+    if (row.name == "novelty_species" && !shares_by_novelty(spec))
         return of_search(spec, "does not share offspring by novelty");
-    if (row.section == "Novelty search" && !keeps_archive(spec))
+    if (row.section == "Novelty search" && measures_no_novelty(spec))
         return of_search(spec, "measures no novelty");
-    if (row.section == "MAP-Elites" && spec.search != "map-elites") return of_search(spec, "keeps no map");
+    if (row.section == "MAP-Elites" && keeps_no_map(spec)) return of_search(spec, "keeps no map");
     return "";
 }
 

@@ -88,4 +88,9 @@ BOOST_AUTO_TEST_CASE(a_parameter_is_unread_where_its_reader_has_no_part) {
     for (const char *name : {"population", "spring_stiffness", "weight_power", "confidence", "seeds"})
         BOOST_TEST(!unread(name, oscillator), name);
     BOOST_TEST(!unread("novelty_neighbours", small("neat", Actuation::oscillator, false, true)));
+    // A search of which nothing is known here may read all that searches read.
+    const Spec unknown = small("another", Actuation::grn, true, true);
+    for (const ParameterRow &row : parameter_rows())
+        if (row.section == "Evolution" || row.section == "Novelty search" || row.section == "MAP-Elites")
+            BOOST_TEST(!unread(row.name, unknown), row.name);
 }
