@@ -57,7 +57,7 @@ const Command &command_called(const std::string &name) {
 }
 
 int run_words(const std::vector<std::string> &words, Console &console) {
-    if (words.empty()) throw UsageError(help());
+    if (words.empty()) return console.err << help(), 2;
     if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
         console.out << (words.size() > 1 ? help_of(command_called(words[1])) : help());
         return 0;
@@ -134,7 +134,8 @@ Overrides overrides_of(const Arguments &arguments) {
     };
     for (const std::string &word : arguments.all("set")) {
         const std::size_t equals = word.find('=');
-        if (equals == word.npos) throw UsageError("--set takes name=value, not '" + word + "'");
+        if (equals == word.npos)
+            throw UsageError("--set takes NAME=VALUE, not '" + word + "'\nsee planula parameters");
         const std::string name = word.substr(0, equals);
         add(name, [&] { return override_of(name, word.substr(equals + 1)); });
     }

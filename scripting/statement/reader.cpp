@@ -80,8 +80,8 @@ void check_at(const Place &place, Problems &problems, const std::function<void()
     }
 }
 
-std::string none_of(std::string_view word, std::span<const std::string_view> names) {
-    return "'" + std::string(word) + "' is none of " + list_of(names) + suggestion(word, names);
+std::string not_one_of(std::string_view word, std::span<const std::string_view> names) {
+    return "'" + std::string(word) + "' is not one of " + list_of(names) + suggestion(word, names);
 }
 
 } // namespace planula

@@ -48,7 +48,7 @@ class Reader {
 /// Runs a check of the core and reports the InputError that it throws at a place.
 void check_at(const Place &place, Problems &problems, const std::function<void()> &check);
 
-/// "'word' is none of a, b, c; did you mean 'b'?"
-std::string none_of(std::string_view word, std::span<const std::string_view> names);
+/// "'word' is not one of a, b, c; did you mean 'b'?"
+std::string not_one_of(std::string_view word, std::span<const std::string_view> names);
 
 } // namespace planula

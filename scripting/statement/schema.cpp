@@ -150,7 +150,7 @@ class Schema {
                               std::span<const std::string_view> names) {
         const std::string name = reader.text(key, needed);
         if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
-            reader.report(key, reader.at(key).words + ": " + none_of(name, names));
+            reader.report(key, reader.at(key).words + ": " + not_one_of(name, names));
         return name;
     }
 
@@ -167,7 +167,8 @@ class Schema {
         if (found != std::end(actuation_names))
             spec.actuation = found == actuation_names ? Actuation::oscillator : Actuation::grn;
         else if (!name.empty())
-            reader.report("actuation", reader.at("actuation").words + ": " + none_of(name, actuation_names));
+            reader.report("actuation",
+                          reader.at("actuation").words + ": " + not_one_of(name, actuation_names));
     }
 
     void set_parameters(const Value &table, const Place &place, Spec &spec) {

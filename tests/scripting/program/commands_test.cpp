@@ -75,6 +75,7 @@ BOOST_AUTO_TEST_CASE(bash_completes_commands_options_and_values) {
 
 BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
     BOOST_TEST(planula_says({}).code == 2);
+    BOOST_TEST(planula_says({}).err == planula_says({"--help"}).out);
     const Said misspelt = planula_says({"chek"});
     BOOST_TEST(misspelt.code == 2);
     BOOST_TEST(contains(misspelt.err, "no command 'chek'; did you mean 'check'?"));
@@ -87,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
     };
     refused({"--set", "populaton=5"}, "did you mean 'population'?");
     refused({"--set", "gait_time=hold"}, "must be one of 'held', 'rising'; did you mean 'held'?");
-    refused({"--set", "population"}, "--set takes name=value, not 'population'");
+    refused({"--set", "population"}, "--set takes NAME=VALUE, not 'population'");
     refused({"--set", "population=x"}, "--set population takes a number, not 'x'");
     refused({"--generations", "0"}, "generations = 0 is outside");
     refused({"--seeds", "3:1"}, "A:B needs A <= B");

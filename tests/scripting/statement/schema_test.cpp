@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(unknown_keys_are_reported_with_line_owner_and_nearest_name)
         refused_body("parameters = {\n spring_stifness = 5 }"),
         "test.lua:4: no parameter is called 'spring_stifness'; did you mean 'spring_stiffness'?"));
     BOOST_TEST(test::contains(refused_body("search = 'novelti'"),
-                              "test.lua:3: search: 'novelti' is none of neat, novelty, nsga2, nslc, "
+                              "test.lua:3: search: 'novelti' is not one of neat, novelty, nsga2, nslc, "
                               "map-elites; did you mean 'novelty'?"));
     BOOST_TEST(test::contains(refused_body("actuation = 'gnn'"), "did you mean 'grn'?"));
     BOOST_TEST(test::contains(refused_body("5"), "test.lua:3: the experiment has a value without a name"));
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_reported_once_with_i
                                         "  { name = 'c' },\n"                  // 8
                                         "} }");
     BOOST_TEST(message.find("drga") == message.rfind("drga"), message);
-    BOOST_TEST(test::contains(message, "test.lua:7: settings[3].search: 'naet' is none of"), message);
+    BOOST_TEST(test::contains(message, "test.lua:7: settings[3].search: 'naet' is not one of"), message);
     BOOST_TEST(test::contains(message, "test.lua:8: two settings are called 'c'"), message);
     BOOST_TEST(test::contains(message, "test.lua:3: environment has no 'drga'; did you mean 'drag'?"),
                message);
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(how_much_a_run_records_is_stated_for_all_settings_or_for_on
                "sample full ");
     BOOST_TEST(
         test::contains(refused_body("record = 'sampel'"),
-                       "test.lua:3: record: 'sampel' is none of full, sample; did you mean 'sample'?"));
+                       "test.lua:3: record: 'sampel' is not one of full, sample; did you mean 'sample'?"));
     BOOST_TEST(test::contains(refused_body("record = true"), "test.lua:3: record must be a text"));
 }
 
