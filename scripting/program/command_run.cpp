@@ -57,10 +57,9 @@ std::vector<std::size_t> chosen_settings(const Arguments &arguments, const Exper
     for (const Spec &setting : experiment.settings) names.push_back(setting.name);
     const std::vector<std::string> only = arguments.all("only");
     for (const std::string &name : only) {
-        if (experiment.find(name)) continue;
-        const std::string nearest = nearest_name(name, names);
-        throw UsageError("--only " + name + ": the experiment has no setting of this name" +
-                         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+        if (!experiment.find(name))
+            throw UsageError("--only " + name + ": the experiment has no setting of this name" +
+                             suggestion(name, names));
     }
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < names.size(); ++i)

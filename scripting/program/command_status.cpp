@@ -77,7 +77,7 @@ void print_text(const Overview &all, bool each, std::ostream &out) {
                                 : std::string(" without complete generations"))
             << '\n';
     out << "  " << all.unfinished << " unfinished\n";
-    if (all.unreadable > 0) out << "  " << all.unreadable << " unreadable\n";
+    if (all.unreadable > 0) out << "  " << all.unreadable << " that cannot be read\n";
     if (all.processes.empty()) {
         out << "no process is working on them\n";
         return;

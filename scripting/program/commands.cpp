@@ -51,9 +51,8 @@ const Command &command_called(const std::string &name) {
         if (command->name == name) return *command;
         names.push_back(command->name);
     }
-    const std::string nearest = nearest_name(name, names);
-    throw UsageError("planula has no command '" + name + "'" +
-                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + "\nsee planula --help");
+    throw UsageError("planula has no command '" + name + "'" + suggestion(name, names) +
+                     "\nsee planula --help");
 }
 
 int run_words(const std::vector<std::string> &words, Console &console) {

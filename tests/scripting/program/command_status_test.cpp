@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(status_reports_how_far_the_runs_are) {
     BOOST_TEST(contains(said.out, " MB, 30 evaluations\n"), said.out);
     for (const char *line : {"\n  1 with 2 generations complete\n", "\n  1 with 3 generations complete\n",
                              "\n  2 without complete generations\n", "\n  0 unfinished\n",
-                             "\n  1 unreadable\n", "\nno process is working on them\n"})
+                             "\n  1 that cannot be read\n", "\nno process is working on them\n"})
         BOOST_TEST(contains(said.out, line), said.out);
     BOOST_TEST(contains(said.out, place.run(4).string() + ": "), said.out);
     BOOST_TEST(!contains(said.out, place.run(1).string()), said.out);
