@@ -13,10 +13,12 @@ function(share_headers target owner)
     endif()
 endfunction()
 
-# room(NAME [DEPENDS room …]): one folder of core/ as a static library under the compiler contract.
+# room(NAME [DEPENDS room …]): one folder of core/ or scripting/ as a static library under the compiler contract; main.cpp
+# is left out, which makes an executable of it.
 function(room name)
     cmake_parse_arguments(ROOM "" "" "DEPENDS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+    list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
     add_library(${name} STATIC ${sources})
     target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${name} PUBLIC contract ${ROOM_DEPENDS})

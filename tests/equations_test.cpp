@@ -6,7 +6,7 @@
 #include "locomotion/grn.h"
 #include "locomotion/oscillator.h"
 #include "physics/laws/spring.h"
-#include "scripting/schema.h"
+#include "statement/schema.h"
 #include "statistics/entropy.h"
 #include "support/specimens.h"
 

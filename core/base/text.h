@@ -33,4 +33,17 @@ template <class Names> std::string nearest_name(std::string_view word, const Nam
     return best;
 }
 
+/// "; did you mean 'x'?" of the nearest name, or "".
+template <class Names> std::string suggestion(std::string_view word, const Names &candidates) {
+    const std::string nearest = nearest_name(word, candidates);
+    return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+/// "a, b, c".
+template <class Names> std::string list_of(const Names &names) {
+    std::string list;
+    for (const auto &name : names) list.append(list.empty() ? "" : ", ").append(name);
+    return list;
+}
+
 } // namespace planula

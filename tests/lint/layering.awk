@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Checks C++ sources against the rooms of core/CMakeLists.txt, which is the first file read. See layering.sh.
+# Checks C++ sources against the rooms of core/ and scripting/, whose CMakeLists.txt are read first. See layering.sh.
 
 function report(message) {
     printf "%s:%d: %s\n", FILENAME, FNR, message
     errors++
 }
 
-# Whether the current file lies in one of the rooms of a list; "scripting" is a room here.
+# Whether the current file lies in one of the rooms of a list.
 function within(list) { return index(" " list " ", " " room " ") > 0 }
 
 # Whether the current file is one of a list of files without their endings.
@@ -51,31 +51,27 @@ function code_of(line,   code, c, two, i, quote) {
 
 # An include of the project's own, "room/file.h": it must exist and the room must be in reach.
 function check_own(path,   target) {
-    if (room == "scripting") {
-        if (!(path in exists) && !(("core/" path) in exists)) report("includes \"" path "\", which does not exist")
-        return
-    }
     target = path
     sub(/\/.*/, "", target)
     if (!(target in depends)) report("includes \"" path "\", which names no room")
     else if (!((room, target) in reachable))
-        report("room " room " includes \"" path "\", but core/CMakeLists.txt gives it no way to " target)
-    else if (!(("core/" path) in exists)) report("includes \"" path "\", which does not exist")
+        report("room " room " includes \"" path "\", but " folder[room] "/CMakeLists.txt gives it no way to " target)
+    else if (!((folder[target] "/" path) in exists)) report("includes \"" path "\", which does not exist")
     if (path == "base/random.h" && !within("base genome evolution statistics experiment analysis"))
         report("room " room " draws random numbers; only base genome evolution statistics experiment analysis may")
 }
 
 # An include of a system header.
 function check_system(header) {
-    if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !within("storage record scripting"))
-        report("<" header "> outside storage, record and scripting: files are touched at the edge only")
+    if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !within("storage record language program"))
+        report("<" header "> outside storage, record, language and program: files are touched at the edge only")
     if (header ~ /^(thread|future|pthread\.h|omp\.h|execution)$/ && !is_file("core/base/parallel"))
         report("<" header "> outside base/parallel: the only threads are there")
     if (header ~ /^(random)$/) report("<random>: chance comes from the streams of base/random.h")
     if (header ~ /^([a-z]*intrin\.h|arm_neon\.h|arm_sve\.h|x86gprintrin\.h|experimental\/simd)$/ && !is_file("core/base/lanes"))
         report("<" header "> outside base/lanes: the only intrinsics are there")
-    if (header ~ /^(chrono|ctime|time\.h|sys\/time\.h)$/ && room != "scripting")
-        report("<" header "> in core: the library knows no clock")
+    if (header ~ /^(chrono|ctime|time\.h|sys\/time\.h)$/ && !within("language program"))
+        report("<" header "> outside language and program: nothing else knows a clock")
 }
 
 BEGIN {
@@ -85,14 +81,17 @@ BEGIN {
 }
 
 # ---- The rooms ----
-NR == FNR {
+FILENAME ~ /CMakeLists\.txt$/ {
     if (match($0, /^room\([a-z_]+/)) {
         name = substr($0, 6, RLENGTH - 5)
         rest = $0
         if (!sub(/^.*DEPENDS */, "", rest)) rest = ""
         sub(/\).*/, "", rest)
-        gsub(/ +/, " ", rest)
+        count = split(rest, names, " ")
+        for (i = 1; i <= count; i++) if (!(names[i] in depends)) report("room " name " depends on " names[i] ", which is no room above it")
         depends[name] = rest
+        folder[name] = FILENAME
+        sub(/\/.*/, "", folder[name])
         rooms++
     }
     next
@@ -103,13 +102,13 @@ FNR == 1 {
     if (!prepared) {
         prepared = 1
         for (name in depends) reach(name, name)
-        for (i = 2; i < ARGC; i++) exists[ARGV[i]] = 1
+        for (i = 1; i < ARGC; i++) exists[ARGV[i]] = 1
     }
     split(FILENAME, parts, "/")
-    room = parts[1] == "core" ? parts[2] : "scripting"
+    room = parts[2]
     in_comment = 0
     files++
-    if (parts[1] == "core" && !(room in depends)) report("lies in a folder without a room line in core/CMakeLists.txt")
+    if (folder[room] != parts[1]) report("lies in a folder without a room line in " parts[1] "/CMakeLists.txt")
 }
 
 { code = code_of($0) }
@@ -127,15 +126,22 @@ code ~ qualified || (code ~ bare && !is_file("core/base/math")) {
 code ~ /std ?:: ?[a-z_]+_distribution|std ?:: ?(random_device|mt19937|minstd_rand|default_random_engine|shuffle|random_shuffle|sample)[^A-Za-z0-9_]|(^|[^A-Za-z0-9_:.>])s?rand(om)? ?\(/ {
     report("chance that differs between libraries: use a Stream of base/random.h")
 }
-code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && room != "scripting" {
-    report("environment or locale in core: results may depend on neither")
+code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !within("program") {
+    report("environment or locale outside program: results may depend on neither")
 }
 code ~ /(^|[^A-Za-z0-9_])(strto(d|f|ld|l|ul|ll|ull)|ato(f|i|l|ll)|sto(d|f|ld|i|l|ll|ul|ull)) ?\(/ && !is_file("core/base/text") {
     report("text to number by a function that follows the locale: use base/text.h")
 }
+# Errors cross between C++ and Lua in one place (language/gate.h).
+code ~ /(^|[^A-Za-z0-9_])catch *\(/ && room == "language" && !is_file("scripting/language/gate") {
+    report("an exception is caught outside language/gate.h: throw, and let the gate make a Lua error of it")
+}
+code ~ /lua_c?pcall *\(/ && parts[1] == "scripting" && !is_file("scripting/language/lua_state scripting/language/wrap_base") {
+    report("a protected call outside LuaState: use call() or inspect()")
+}
 
 END {
-    if (!rooms) { print "core/CMakeLists.txt: no room line found"; errors++ }
+    if (!rooms) { print "layering: no room line found"; errors++ }
     if (errors) { printf "layering: %d violations\n", errors; exit 1 }
-    printf "layering: %d files in %d rooms keep to core/CMakeLists.txt\n", files, rooms
+    printf "layering: %d files in %d rooms keep to core/CMakeLists.txt and scripting/CMakeLists.txt\n", files, rooms
 }

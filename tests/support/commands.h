@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Commands of planula as a user gives them, in this process or in one that can be killed, and the folders that they
-// leave.
+// Commands of planula as a user gives them, in this process or in one that can be killed, and the folders that they write.
 #pragma once
 
-#include "scripting/commands.h"
+#include "program/commands.h"
 #include "support/folder.h"
 #include "support/scripts.h"
 
@@ -27,7 +26,7 @@ struct Said {
     std::string out, err;
 };
 
-/// Gives a command; what it says, and its exit code.
+/// Runs a command; its output and exit code.
 inline Said planula_says(const std::vector<std::string> &words) {
     std::ostringstream out, err;
     Console console{out, err, false, experiments_folder()};
@@ -77,7 +76,7 @@ inline void copy_folder(const std::filesystem::path &from, const std::filesystem
     std::filesystem::copy(from, to, std::filesystem::copy_options::recursive);
 }
 
-/// Lives of three hundred steps in populations of six: a run takes milliseconds.
+/// Populations of six, simulated for three hundred steps: a run takes milliseconds.
 inline const char *const small = "local paper = require 'paper'\n"
                                  "return paper.experiment { name = 'small', search = 'novelty', parameters = "
                                  "{ population = 6, generations = 2,\n"
@@ -101,7 +100,7 @@ struct Workplace : Folder {
     }
 };
 
-/// Gives a command in a process of its own; what it says goes to the file `said`.
+/// Runs a command in a process of its own; its output goes to the file `said`.
 inline pid_t start(const std::filesystem::path &said, const std::vector<std::string> &words) {
     const pid_t child = fork();
     if (child != 0) return child;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "scripting/schema.h"
+#include "language/sources.h"
 
 #include <filesystem>
 #include <memory>

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/audit.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "program/commands.h"
+#include "program/interrupt.h"
+#include "program/progress.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <ostream>
+
+#include <unistd.h>
+
+namespace planula {
+
+namespace {
+
+constexpr Option options[] = {
+    {"share", "PERCENT",
+     "simulate at least this share of all generations again (default: 1; 0: only compare the files)"},
+    {"minutes", "M", "begin no further stretch after M minutes (default: no limit)"},
+    {"draw", "N", "seed that selects the stretches (default: a new one each time, which is printed)"},
+    threads_option,
+    lanes_option,
+};
+
+/// A stretch of one of the runs.
+struct Task {
+    const RecordedRun *run;
+    Stretch stretch;
+};
+
+class VerifyCommand {
+  public:
+    VerifyCommand(const Arguments &arguments, Console &console)
+        : console_(console), folder_(arguments.operands.at(0)), share_(share_of(arguments)),
+          minutes_(arguments.whole("minutes", 1, 0)), threads_(threads_of(arguments)),
+          draw_(draw_of(arguments)) {
+        use_lanes_of(arguments);
+    }
+
+    int run() {
+        find_runs();
+        compare_files();
+        simulate();
+        tell();
+        if (failures_.empty()) return 0;
+        throw InputError("verify: " + to_text(static_cast<std::int64_t>(failures_.size())) +
+                         " runs differ from their record");
+    }
+
+  private:
+    static double share_of(const Arguments &arguments) {
+        const std::string words = arguments.text("share", "1");
+        const auto share = parse_double(words);
+        if (!share || !(*share >= 0 && *share <= 100))
+            throw UsageError("--share takes a percentage, a number from 0 to 100, not '" + words + "'");
+        return *share / 100;
+    }
+
+    // Whoever altered a run cannot know what will be drawn.
+    static std::uint64_t draw_of(const Arguments &arguments) {
+        if (arguments.has("draw")) return static_cast<std::uint64_t>(arguments.whole("draw", 0, 0));
+        const auto now = std::chrono::system_clock::now().time_since_epoch();
+        const auto ticks = std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+        return static_cast<std::uint64_t>(ticks + ::getpid()) % 1'000'000'000;
+    }
+
+    // The run in the folder, or all runs below it.
+    void find_runs() {
+        for (const std::filesystem::path &folder : folders_with_runs(folder_)) {
+            if (!std::filesystem::exists(folder / ManifestRow::file_name)) {
+                console_.err << folder.string() << ": not complete, not checked\n";
+                continue;
+            }
+            attempt([&] { runs_.push_back(open_run(folder)); });
+        }
+        if (runs_.empty() && failures_.empty())
+            throw InputError(folder_.string() + ": there is no complete run");
+    }
+
+    void compare_files() {
+        std::vector<RecordedRun> sound;
+        for (RecordedRun &run : runs_) {
+            const bool holds = attempt([&] { check_consistency(run); });
+            generations_ += run.generations;
+            if (holds) sound.push_back(std::move(run));
+        }
+        runs_ = std::move(sound);
+    }
+
+    std::vector<Task> tasks() const {
+        std::vector<Task> all;
+        for (const RecordedRun &run : runs_)
+            for (const Stretch &stretch : stretches(run)) all.push_back({&run, stretch});
+        std::vector<Task> drawn;
+        for (const int place : drawn_order(static_cast<int>(all.size()), draw_))
+            drawn.push_back(all[static_cast<std::size_t>(place)]);
+        return drawn;
+    }
+
+    void simulate() {
+        const std::vector<Task> drawn = tasks();
+        const double wanted = share_ * generations_;
+        const Interrupt interrupt;
+        const auto began = std::chrono::steady_clock::now();
+        for (const Task &task : drawn) {
+            const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+            if (simulated_ >= wanted || (minutes_ > 0 && passed.count() >= 60.0 * minutes_)) break;
+            console_.err << task.run->folder.string() << ": generations " << task.stretch.first << " to "
+                         << task.stretch.last << " …" << std::endl;
+            attempt([&] {
+                const SettingForRun own = recorded_setting(*task.run);
+                recompute(*task.run, own.spec, task.stretch, threads_, [&] { return interrupt.requested(); });
+            });
+            simulated_ += task.stretch.length();
+        }
+    }
+
+    void tell() const {
+        std::ostream &out = console_.out;
+        for (const std::string &line : failures_) out << line << '\n';
+        const double share = generations_ > 0 ? static_cast<double>(simulated_) / generations_ : 0;
+        out << "verify: " << runs_.size() << " runs of " << generations_
+            << " generations in all: their files " << (failures_.empty() ? "agree" : "do not all agree")
+            << "; " << simulated_ << " generations simulated again (" << to_fixed(100 * share, 1)
+            << " %, --draw " << draw_ << ")" << (failures_.empty() ? ", all as recorded" : "") << ".\n"
+            << "The probability that one altered generation with consistent hashes was not found is "
+            << to_fixed(1 - share, 3) << ".\n";
+    }
+
+    // Whether an action ends without an error in the data, whose message is kept.
+    template <class Action> bool attempt(Action &&action) {
+        try {
+            action();
+            return true;
+        } catch (const InputError &error) {
+            failures_.push_back(error.what());
+            return false;
+        }
+    }
+
+    Console &console_;
+    const std::filesystem::path folder_;
+    const double share_;
+    const int minutes_, threads_;
+    const std::uint64_t draw_;
+    std::vector<RecordedRun> runs_;
+    std::vector<std::string> failures_;
+    int generations_ = 0, simulated_ = 0;
+};
+
+int verify(const Arguments &arguments, Console &console) { return VerifyCommand(arguments, console).run(); }
+
+} // namespace
+
+const Command &verify_command() {
+    static const Command command{
+        "verify",
+        "DIR",
+        "checks that recorded runs are unaltered and can be repeated",
+        R"(DIR is the folder of a run, or one with several runs below it. Compares all files of each run with one another, by their
+hashes and by the chain of hashes over all generations, and names the first generation that differs. Then simulates
+stretches of generations again, drawn at random, from the saved states and the scripts in the folder, and compares every
+hash.
+
+Reports with what probability one altered generation would not have been found. Exit code 65 if anything differs.)",
+        options,
+        verify};
+    return command;
+}
+
+} // namespace planula

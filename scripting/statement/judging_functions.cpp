@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "statement/judging_functions.h"
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/state.h"
+#include "base/text.h"
+#include "evaluation/example_life.h"
+#include "experiment/deciding.h"
+#include "language/captures.h"
+#include "language/lua_state.h"
+#include "language/wrap.h"
+#include "statement/wrap_life.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+namespace planula {
+
+namespace {
+
+constexpr std::size_t longest_behaviour = 16;
+constexpr double largest = 1e100; // fitness and behaviour beyond this would overflow sums and squares
+// A life is judged twice if the number of the call is a power of two or a multiple of this one.
+constexpr std::int64_t calls_between_samples = 1024;
+// Up to this many values that the functions close over are checked after every call, more values less often, but at least
+// once in most_calls_unchecked calls. To check a value takes 20 ns, to simulate a life milliseconds.
+constexpr int values_for_each_call = 64;
+constexpr int most_calls_unchecked = 256;
+constexpr const char *independence_rule = ": how a life is judged must not depend on other lives";
+constexpr Limits limits_of_a_call{
+    .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};
+
+bool is_sample(std::int64_t call) {
+    return std::has_single_bit(static_cast<std::uint64_t>(call)) || call % calls_between_samples == 0;
+}
+
+} // namespace
+
+// The result of the functions for one life.
+struct JudgingFunctions::Verdict {
+    Evaluation evaluation;
+    std::string problem;     // of the functions; empty if there is none
+    bool wrong_kind = false; // the problem is an error or a value of another kind
+    Exhausted exhausted = Exhausted::no;
+};
+
+// The three functions in a Lua state of their own.
+class JudgingFunctions::Functions {
+  public:
+    Functions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters, Stage stage)
+        : lua_(sources, sources->script()), parameters_(parameters), stage_(stage) {
+        const Value &result = lua_.result();
+        const Value *settings = result.find("settings");
+        const Value &setting = settings ? settings->list.at(static_cast<std::size_t>(index)) : result;
+        for (const auto &[name, reference] :
+             {std::pair{"penalty", &penalty_}, std::pair{"fitness", &fitness_},
+              std::pair{"behaviour", &behaviour_}}) {
+            const bool before = stage == Stage::growth && reference == &behaviour_;
+            const Value *function = before ? setting.find("start")->find(name) : setting.find(name);
+            CHECK(function && function->is(Value::Kind::function), name);
+            *reference = function->function;
+        }
+        if (const auto message = lua_.inspect(gate<prepare>, this, limits_of_a_call))
+            throw InputError(*message);
+        captures_.emplace(lua_, std::array{penalty_, fitness_, behaviour_});
+        interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unchecked);
+    }
+
+    /// "file:line: " of the function of that name.
+    std::string where(std::string_view name) {
+        lua_Debug function;
+        lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX,
+                    name == "penalty"   ? penalty_
+                    : name == "fitness" ? fitness_
+                                        : behaviour_);
+        lua_getinfo(lua_.raw(), ">S", &function);
+        return std::string(function.short_src) + ":" + to_text(function.linedefined) + ": ";
+    }
+
+    /// The length of the run's behaviours; 0 until one is seen.
+    std::size_t &length() { return length_; }
+
+    /// How many calls are made from one check of what the functions close over to the next.
+    int interval() const { return interval_; }
+
+    void check_unchanged() {
+        const auto changed = captures_->changed();
+        if (!changed) return;
+        constexpr std::array names{"penalty", "fitness", "behaviour"};
+        const bool is_module = *changed == names.size();
+        const std::string name = names[is_module ? 0 : *changed];
+        throw InputError(where(name) + "what " + (is_module ? "modules hold" : name + " closes over") +
+                         " was changed by a judgement" + independence_rule);
+    }
+
+    Verdict judge(const Life &life) {
+        slot_->life = &life;
+        Verdict verdict;
+        ask(verdict);
+        slot_->life = nullptr;
+        if (!verdict.problem.empty()) verdict.evaluation = {};
+        return verdict;
+    }
+
+  private:
+    // Makes the two values that are passed to every call.
+    static int prepare(lua_State *L) {
+        Functions &self = *static_cast<Functions *>(lua_touserdata(L, 1));
+        wrap_life(L);
+        self.slot_ = &push_life(L);
+        self.slot_->only_grown = self.stage_ == Stage::growth;
+        self.life_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        lua_newtable(L);
+        for (const ParameterRow &row : parameter_rows()) {
+            if (!decides_lives(row)) continue;
+            lua_pushlstring(L, row.name.data(), row.name.size());
+            push_value(L, row, parameter(self.parameters_, row.name));
+            lua_rawset(L, -3);
+        }
+        freeze(L, "parameters", why_not_shown);
+        self.shown_parameters_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        return 0;
+    }
+
+    void ask(Verdict &verdict) {
+        Evaluation &evaluation = verdict.evaluation;
+        if (!number("penalty", penalty_, nullptr, evaluation.penalty, verdict)) return;
+        if (evaluation.penalty > 1) return fail("penalty", "returned a number above 1", verdict);
+        if (!evaluation.valid()) return;
+        if (stage_ == Stage::life &&
+            !number("fitness", fitness_, &evaluation.penalty, evaluation.fitness, verdict))
+            return;
+        list(evaluation.behaviour, verdict);
+    }
+
+    void fail(const std::string &name, const std::string &what, Verdict &verdict) {
+        verdict.problem = where(name) + name + " " + what;
+    }
+    void fail_kind(const std::string &name, const std::string &wanted, int type, Verdict &verdict) {
+        fail(name, "returned " + std::string(lua_typename(lua_.raw(), type)) + ", not " + wanted, verdict);
+        verdict.wrong_kind = true;
+    }
+
+    // Leaves one value on the stack; false if an error was raised.
+    bool call(const std::string &name, int function, const double *penalty, Verdict &verdict) {
+        lua_State *L = lua_.raw();
+        lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, life_);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, shown_parameters_);
+        if (penalty) lua_pushnumber(L, *penalty);
+        const auto message = lua_.call(penalty ? 3 : 2, limits_of_a_call);
+        if (interval_ == 1 && captures_->changed())
+            throw InputError(where(name) + name + " changes what it closes over" + independence_rule);
+        if (!message) return true;
+        verdict.problem = *message + " (in " + name + ")";
+        verdict.wrong_kind = true;
+        verdict.exhausted = lua_.exhausted();
+        return false;
+    }
+
+    // A finite number, 0 or more.
+    bool number(const std::string &name, int function, const double *penalty, double &result,
+                Verdict &verdict) {
+        if (!call(name, function, penalty, verdict)) return false;
+        lua_State *L = lua_.raw();
+        const int type = lua_type(L, -1);
+        result = lua_tonumber(L, -1);
+        lua_pop(L, 1);
+        if (type != LUA_TNUMBER)
+            fail_kind(name, "a number", type, verdict);
+        else if (!(std::abs(result) <= largest))
+            fail(name, "returned " + to_text(result), verdict);
+        else if (result < 0)
+            fail(name, "returned a number below 0", verdict);
+        return verdict.problem.empty();
+    }
+
+    void list(std::vector<double> &result, Verdict &verdict) {
+        if (!call("behaviour", behaviour_, nullptr, verdict)) return;
+        lua_State *L = lua_.raw();
+        const int type = lua_type(L, -1);
+        const std::size_t size = type == LUA_TTABLE ? lua_objlen(L, -1) : 0;
+        if (type != LUA_TTABLE)
+            fail_kind("behaviour", "a list of numbers", type, verdict);
+        else if (size < 1 || size > longest_behaviour) {
+            fail("behaviour", "must return a list of 1 … 16 numbers", verdict);
+            verdict.wrong_kind = true;
+        }
+        for (std::size_t i = 1; i <= size && verdict.problem.empty(); ++i) {
+            lua_rawgeti(L, -1, static_cast<int>(i));
+            result.push_back(lua_tonumber(L, -1));
+            if (lua_type(L, -1) != LUA_TNUMBER)
+                fail_kind("behaviour", "numbers", lua_type(L, -1), verdict);
+            else if (!(std::abs(result.back()) <= largest))
+                fail("behaviour", "returned " + to_text(result.back()), verdict);
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+        // All descriptors of a run have one length: that of the first.
+        if (verdict.problem.empty() && length_ == 0) length_ = size;
+        if (verdict.problem.empty() && length_ != size)
+            fail("behaviour",
+                 "returned " + to_text(static_cast<int>(size)) + " numbers, and " +
+                     to_text(static_cast<int>(length_)) + " before",
+                 verdict);
+    }
+
+    LuaState lua_;
+    const Parameters parameters_;
+    const Stage stage_;
+    LifeSlot *slot_ = nullptr;
+    int penalty_ = 0, fitness_ = 0, behaviour_ = 0; // references of lua_
+    int life_ = 0, shown_parameters_ = 0;
+    std::optional<Captures> captures_;
+    int interval_ = 1;
+    std::size_t length_ = 0;
+};
+
+JudgingFunctions::JudgingFunctions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters,
+                                   Stage stage)
+    : sources_(std::move(sources)), index_(index), parameters_(parameters), stage_(stage) {
+    begin_run();
+}
+
+JudgingFunctions::~JudgingFunctions() = default;
+
+void JudgingFunctions::begin_run() {
+    functions_ = std::make_unique<Functions>(sources_, index_, parameters_, stage_);
+    calls_ = invalid_ = 0;
+    first_problem_.clear();
+}
+
+void JudgingFunctions::continue_run(const std::string &memory) {
+    begin_run();
+    StateReader reader(memory);
+    reader.group("judge");
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    functions_->length() = static_cast<std::size_t>(reader.integer(0, longest_behaviour));
+    calls_ = reader.integer(0, most);
+    invalid_ = reader.integer(0, calls_);
+    first_problem_ = reader.text();
+    reader.done();
+}
+
+void JudgingFunctions::check_unchanged() const { functions_->check_unchanged(); }
+
+std::string JudgingFunctions::memory() const {
+    check_unchanged();
+    StateWriter writer;
+    writer.group("judge").integer(static_cast<std::int64_t>(functions_->length()));
+    writer.integer(calls_).integer(invalid_).text(first_problem_);
+    return writer.bytes();
+}
+
+JudgingFunctions::Verdict JudgingFunctions::judge_twice(const Life &life) {
+    Functions others(sources_, index_, parameters_, stage_);
+    others.length() = functions_->length();
+    const Verdict verdict = functions_->judge(life), fresh = others.judge(life);
+    const auto differ = [&](const char *name) {
+        throw InputError(functions_->where(name) + name + " depends on earlier calls" +
+                         std::string(independence_rule));
+    };
+    const Evaluation &a = verdict.evaluation, &b = fresh.evaluation;
+    if (a.penalty != b.penalty || verdict.problem.empty() != fresh.problem.empty()) differ("penalty");
+    if (a.fitness != b.fitness) differ("fitness");
+    if (a.behaviour != b.behaviour) differ("behaviour");
+    return verdict;
+}
+
+void JudgingFunctions::try_out() {
+    begin_run();
+    const KnownAfter known = stage_ == Stage::growth ? KnownAfter::growth : KnownAfter::locomotion;
+    for (std::size_t i = 0; i < outcome_names.size(); ++i) {
+        const Life life = example_life(static_cast<Outcome>(i), known, parameters_);
+        functions_->judge(life);
+        const Verdict verdict = judge_twice(life);
+        if (verdict.wrong_kind)
+            throw InputError(verdict.problem + " for an example life with outcome '" + outcome_names[i] +
+                             "'");
+    }
+    check_unchanged();
+    begin_run();
+}
+
+Evaluation JudgingFunctions::judge(const Life &life) {
+    const Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
+    if (functions_->interval() > 1 && (is_sample(calls_) || calls_ % functions_->interval() == 0))
+        check_unchanged();
+    if (verdict.exhausted == Exhausted::memory || verdict.exhausted == Exhausted::seconds)
+        throw InputError(verdict.problem);
+    if (!verdict.problem.empty() && invalid_++ == 0) first_problem_ = verdict.problem;
+    return verdict.evaluation;
+}
+
+} // namespace planula

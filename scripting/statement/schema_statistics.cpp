@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "statement/schema_statistics.h"
+
+#include <set>
+
+namespace planula {
+
+namespace {
+
+constexpr std::string_view statistics_keys[] = {
+    "confidence",   "resamples",       "interval_runs",      "significance", "sample_share",
+    "sample_least", "fitness_classes", "direction_distance", "endpoints",    "claims"};
+constexpr std::string_view claim_keys[] = {"id",    "statement", "section",    "paper",  "test",
+                                           "a",     "b",         "generation", "expect", "level",
+                                           "count", "bound",     "calibrated"};
+
+std::vector<std::string> read_endpoints(Reader &reader, std::span<const Spec> settings, Problems &problems) {
+    std::vector<std::string> names;
+    const Value *stated = reader.field("endpoints", Value::Kind::table, false);
+    if (!stated) {
+        for (const Spec &setting : settings) names.push_back(setting.name);
+        return names;
+    }
+    const Place place = reader.at("endpoints");
+    const Reader list(*stated, place, {}, problems, true);
+    for (std::size_t i = 0; i < stated->list.size(); ++i) {
+        if (stated->list[i].is(Value::Kind::text))
+            names.push_back(stated->list[i].text);
+        else
+            problems.add(place.at(static_cast<int>(i + 1)), place.words + " is a list of settings' names");
+    }
+    return names;
+}
+
+Claim read_claim(const Value &table, const Place &place, Problems &problems) {
+    Reader reader(table, place, claim_keys, problems);
+    Claim claim;
+    claim.id = reader.text("id", true);
+    claim.statement = reader.text("statement", true);
+    claim.section = reader.text("section", true);
+    claim.paper = reader.text("paper", true);
+    claim.test = reader.text("test", true);
+    claim.a = reader.text("a", true);
+    claim.b = reader.text("b");
+    claim.generation = reader.whole("generation");
+    claim.expect = reader.text("expect");
+    claim.level = reader.number("level").value_or(0);
+    claim.count = reader.whole("count");
+    claim.bound = reader.number("bound").value_or(0);
+    const Value *calibrated = reader.field("calibrated", Value::Kind::boolean, false);
+    claim.calibrated = calibrated != nullptr && calibrated->boolean;
+    return claim;
+}
+
+// Each claim is checked by itself, so that its line is known, and then all together.
+void read_claims(const Value &list, const Place &place, std::span<const Spec> settings, Analysis &analysis,
+                 Problems &problems) {
+    const Reader reader(list, place, {}, problems, true);
+    std::vector<Claim> claims;
+    std::set<std::string> ids;
+    for (std::size_t i = 0; i < list.list.size(); ++i) {
+        const Value &entry = list.list[i];
+        const Place here = place.at(static_cast<int>(i + 1), &entry);
+        const std::size_t problems_before = problems.count();
+        if (entry.is(Value::Kind::table))
+            claims.push_back(read_claim(entry, here, problems));
+        else
+            problems.add(here, here.words + " must be a table");
+        if (problems.count() > problems_before) continue;
+        if (!ids.insert(claims.back().id).second)
+            problems.add(here, "two claims are called '" + claims.back().id + "'");
+        analysis.claims = {claims.back()};
+        check_at(here, problems, [&] { check_analysis(analysis, settings); });
+    }
+    analysis.claims = std::move(claims);
+}
+
+} // namespace
+
+Analysis read_statistics(const Value &table, const Place &place, const std::string &experiment,
+                         const Parameters &design, std::span<const Spec> settings, Problems &problems) {
+    const std::size_t problems_before = problems.count();
+    Reader reader(table, place, statistics_keys, problems);
+    Analysis analysis;
+    analysis.experiment = experiment;
+    analysis.design = design;
+    analysis.confidence = reader.quantity("confidence", design, true).value_or(0);
+    analysis.resamples = static_cast<int>(reader.quantity("resamples", design, true).value_or(0));
+    analysis.significance = reader.number("significance", true).value_or(0);
+    analysis.sample_share = reader.number("sample_share", true).value_or(0);
+    if (table.find("sample_least")) analysis.sample_least = reader.whole("sample_least");
+    if (table.find("interval_runs")) analysis.interval_runs = reader.whole("interval_runs");
+    if (table.find("direction_distance"))
+        analysis.direction_distance = reader.number("direction_distance").value_or(0);
+    if (table.find("fitness_classes")) analysis.fitness_classes = reader.whole("fitness_classes");
+    analysis.endpoint_settings = read_endpoints(reader, settings, problems);
+
+    // The rules of the analysis, first without claims.
+    if (problems.count() == problems_before)
+        check_at(place, problems, [&] { check_analysis(analysis, settings); });
+    const Value *claims = reader.field("claims", Value::Kind::table, false);
+    if (claims && problems.count() == problems_before)
+        read_claims(*claims, reader.at("claims"), settings, analysis, problems);
+    if (problems.count() == problems_before)
+        check_at(place, problems, [&] { check_analysis(analysis, settings); });
+    return analysis;
+}
+
+} // namespace planula

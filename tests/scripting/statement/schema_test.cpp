@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: MIT
+#include "statement/schema.h"
+
+#include "statement/schema_environment.h"
+#include "support/scripts.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+
+using namespace planula;
+
+namespace {
+
+Experiment experiment(const std::string &text, const Overrides &overrides = {}) {
+    return load_experiment(test::script("local paper = require 'paper'\n" + text), overrides);
+}
+
+std::string refused(const std::string &text) {
+    return test::refusal([&] { experiment(text); });
+}
+
+// A one-setting experiment; `body` starts on line 3.
+std::string refused_body(const std::string &body) {
+    return refused("return paper.experiment { name = 'x',\n" + body + "\n}");
+}
+
+World environment_of(const std::string &table) {
+    const Experiment e = experiment("return paper.experiment { name = 'x', environment = " + table + " }");
+    return {e.settings[0].environment, e.settings[0].actuation_range};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_statement_is_completed_by_the_paper) {
+    const Experiment e =
+        experiment("return paper.experiment { name = 'honey', environment = paper.aquatic { drag = { "
+                   "normal = 8, tangential = 4 } } }");
+    BOOST_REQUIRE_EQUAL(e.settings.size(), 1u);
+    const Spec &spec = e.settings[0];
+    BOOST_TEST(spec.name == "honey");
+    BOOST_TEST((spec.actuation == Actuation::oscillator));
+    BOOST_TEST(spec.search == "neat");
+    BOOST_TEST(spec.environment.drag_normal == 8);
+    BOOST_TEST(spec.environment.drag_tangential == 4);
+    BOOST_TEST(!spec.environment.has_ground);
+    BOOST_TEST(spec.actuation_range == Parameters{}.water.actuation_range_aquatic);
+    BOOST_TEST(spec.parameters.neat.population == Parameters{}.neat.population);
+}
+
+BOOST_AUTO_TEST_CASE(a_choice_is_stated_by_its_name_and_read_back_as_one) {
+    const char *text = "return paper.experiment { name = 'x', parameters = { division_turn = 'daughter', "
+                       "gait_time = planula.parameters.gait_time } }";
+    const Parameters p = experiment(text).settings[0].parameters;
+    BOOST_TEST((p.development.division_turn == DivisionTurn::daughter));
+    BOOST_TEST((p.gait.gait_time == Parameters{}.gait.gait_time));
+}
+
+BOOST_AUTO_TEST_CASE(a_change_of_one_drag_keeps_the_other) {
+    const World world = environment_of("paper.aquatic { drag = { normal = 3 } }");
+    BOOST_TEST(world.environment.drag_normal == 3);
+    BOOST_TEST(world.environment.drag_tangential == Parameters{}.water.drag_tangential);
+}
+
+BOOST_AUTO_TEST_CASE(a_changed_parameter_changes_the_world_that_names_it) {
+    const char *text = "return paper.experiment { name = 'x', environment = paper.terrestrial(), parameters "
+                       "= { gravity = 2 } }";
+    BOOST_TEST(experiment(text).settings[0].environment.gravity == 2);
+    BOOST_TEST(experiment(text, {{"gravity", 3}}).settings[0].environment.gravity == 3);
+    BOOST_TEST(experiment(text).settings[0].environment.friction == Parameters{}.land.friction);
+}
+
+BOOST_AUTO_TEST_CASE(grounds_are_flat_none_points_or_a_function) {
+    BOOST_TEST(environment_of("paper.terrestrial()").environment.has_ground);
+    BOOST_TEST(environment_of("paper.terrestrial()").environment.ground.empty());
+    BOOST_TEST(!environment_of("paper.terrestrial { ground = 'none', gravity = 0 }").environment.has_ground);
+    const auto points =
+        environment_of("paper.terrestrial { ground = { { -1, 2 }, { 1, 3 } } }").environment.ground;
+    BOOST_REQUIRE_EQUAL(points.size(), 2u);
+    BOOST_TEST((points[1] == Vec2d{1, 3}));
+    const auto sampled =
+        environment_of("paper.terrestrial { ground = { height = function(x) return x * x end, "
+                       "from = -1, to = 1, step = 0.5 } }")
+            .environment.ground;
+    BOOST_REQUIRE_EQUAL(sampled.size(), 5u);
+    BOOST_TEST((sampled[0] == Vec2d{-1, 1}));
+    BOOST_TEST((sampled[3] == Vec2d{0.5, 0.25}));
+}
+
+BOOST_AUTO_TEST_CASE(a_ground_function_is_called_from_end_to_end_only) {
+    const auto places = [](const std::string &range) {
+        std::vector<double> xs;
+        for (const Vec2d point :
+             environment_of("paper.terrestrial { ground = { height = function(x) return math.sqrt("
+                            "100 - x * x) end, " +
+                            range + " } }")
+                 .environment.ground)
+            xs.push_back(point.x);
+        return xs;
+    };
+    BOOST_TEST(places("from = -1, to = 1, step = 0.75") == (std::vector<double>{-1, -0.25, 0.5, 1}));
+    BOOST_TEST(places("from = -10, to = 10, step = 15") == (std::vector<double>{-10, 5, 10}));
+    BOOST_TEST(places("from = -10, to = 10, step = 50") == (std::vector<double>{-10, 10}));
+    BOOST_TEST(places("from = -10, to = 10, step = 0.75").back() == 10);
+    // Steps that do not add up to the end but for rounding.
+    for (const int points : {4, 11, 50, 1000, 3000}) {
+        const auto xs = places("from = -1, to = 1, step = 2 / " + std::to_string(points - 1));
+        BOOST_TEST(xs.size() == static_cast<std::size_t>(points));
+        BOOST_TEST(xs.back() == 1);
+        BOOST_TEST(xs[xs.size() - 2] < 1 - 1.9 / points);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
+    const auto ground = [](const std::string &value) {
+        return refused_body("environment = paper.terrestrial {\nground = " + value + " }");
+    };
+    BOOST_TEST(test::contains(ground("'hilly'"), "test.lua:4: environment.ground must be \"flat\""));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 1 } }"), "test.lua:4: a point of the ground is {x, y}"));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 } }"), "two points or more"));
+    BOOST_TEST(test::contains(ground("{ { 1, 0 }, { 0, 0 } }"), "ascend"));
+    BOOST_TEST(test::contains(ground("{ height = function(x) return nil end, from = 0, to = 1, step = 1 }"),
+                              "environment.ground.height(0) must return a finite number"));
+    BOOST_TEST(test::contains(ground("{ height = function(x) return y.z end, from = 0, to = 1, step = 1 }"),
+                              "test.lua:4: nothing is called 'y'"));
+    BOOST_TEST(test::contains(ground("{ height = function(x) return x end, from = 0, to = 1, step = 0 }"),
+                              "from, to and step"));
+    for (const char *range :
+         {"from = 1, to = 1, step = 1", "from = 1, to = 0, step = 1", "from = 0, to = 1, step = -1",
+          "from = 0, to = 1, step = 1e-5", "from = -1e300, to = 1e300, step = 1e-300"})
+        BOOST_TEST(test::contains(ground("{ height = function(x) return x end, " + std::string(range) + " }"),
+                                  "must give 2 … 100000 points"),
+                   range);
+    // Upright and overhanging walls are no heights over x.
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 0, 1 } }"),
+                              "test.lua:3: environment: ground points must ascend"));
+    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 2, 1 }, { 1, 2 } }"), "must ascend in x, not 1"));
+    BOOST_TEST(
+        test::contains(ground("{ height = function(x) return x end, from = 0, to = 1 }"), "step is missing"));
+}
+
+BOOST_AUTO_TEST_CASE(unknown_keys_are_reported_with_line_owner_and_nearest_name) {
+    BOOST_TEST(test::contains(
+        refused_body("serach = 'neat'"),
+        "test.lua:3: the experiment has no 'serach'; did you mean 'search'? (allowed: name, "));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic {\n drag = {\n  nromal = 8 } }"),
+                              "test.lua:5: environment.drag has no 'nromal'; did you mean 'normal'?"));
+    BOOST_TEST(test::contains(
+        refused_body("parameters = {\n spring_stifness = 5 }"),
+        "test.lua:4: no parameter is called 'spring_stifness'; did you mean 'spring_stiffness'?"));
+    BOOST_TEST(test::contains(refused_body("search = 'novelti'"),
+                              "test.lua:3: search: 'novelti' is not one of neat, novelty, nsga2, nslc, "
+                              "map-elites; did you mean 'novelty'?"));
+    BOOST_TEST(test::contains(refused_body("actuation = 'gnn'"), "did you mean 'grn'?"));
+    BOOST_TEST(test::contains(refused_body("5"), "test.lua:3: the experiment has a value without a name"));
+}
+
+BOOST_AUTO_TEST_CASE(wrong_kinds_and_ranges_are_reported_with_the_rule) {
+    BOOST_TEST(test::contains(refused_body("title = 5"), "test.lua:3: title must be a text, not a number"));
+    BOOST_TEST(test::contains(refused_body("fitness = 'far'"),
+                              "test.lua:3: fitness must be a function, not a text"));
+    BOOST_TEST(test::contains(refused_body("parameters = { population = 1 }"),
+                              "test.lua:3: population = 1 is outside 2"));
+    BOOST_TEST(test::contains(refused_body("parameters = { seeds = 1.5 }"), "must be a whole number"));
+    BOOST_TEST(test::contains(refused_body("parameters = { seeds = 'x' }"),
+                              "parameters.seeds must be a number, not a text"));
+    BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 2 }"),
+                              "test.lua:3: parameters.division_turn must be a text, not a number"));
+    BOOST_TEST(test::contains(refused_body("parameters = { division_turn = 'non' }"),
+                              "division_turn = non must be one of 'nobody', 'daughter', 'both'"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = 'gait_time' } }"),
+                              "gait_time is a choice, not a number"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { gravity = 5 }"),
+                              "gravity without ground"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { drag = { normal = -1 } }"),
+                              "0 or more, not -1"));
+    BOOST_TEST(test::contains(refused_body("environment = paper.aquatic { actuation_range = 2 }"), "not 2"));
+    BOOST_TEST(
+        test::contains(refused_body("environment = paper.aquatic { actuation_range = 0/0 }"), "finite"));
+    BOOST_TEST(
+        test::contains(refused_body("parameters = { period_shortest = 500 }"), "period_shortest is at most"));
+    BOOST_TEST(test::contains(refused("return paper.experiment { name = '../x' }"), "'../x'"));
+    BOOST_TEST(test::contains(refused("return planula.experiment { name = 'x' }"), "environment is missing"));
+}
+
+BOOST_AUTO_TEST_CASE(all_errors_are_reported_together) {
+    const std::string message =
+        refused_body("serach = 'neat',\nparameters = { sedes = 1,\npopulation = 0 },\ntitel = 'x'");
+    for (const char *part : {"test.lua:3: ", "test.lua:4: ", "test.lua:5: ", "test.lua:6: "})
+        BOOST_TEST(test::contains(message, part), message);
+}
+
+BOOST_AUTO_TEST_CASE(an_error_in_one_setting_of_a_design_is_reported_once_with_its_line) {
+    const std::string message = refused("local water = paper.aquatic {\n" // 2
+                                        "  drga = { normal = 1 } }\n"     // 3
+                                        "return paper.design { name = 'x', settings = {\n"
+                                        "  { name = 'a', environment = water },\n"
+                                        "  { name = 'b', environment = water, search = 'neat' },\n"
+                                        "  { name = 'c', search = 'naet' },\n" // 7
+                                        "  { name = 'c' },\n"                  // 8
+                                        "} }");
+    BOOST_TEST(message.find("drga") == message.rfind("drga"), message);
+    BOOST_TEST(test::contains(message, "test.lua:7: settings[3].search: 'naet' is not one of"), message);
+    BOOST_TEST(test::contains(message, "test.lua:8: two settings are called 'c'"), message);
+    BOOST_TEST(test::contains(message, "test.lua:3: environment has no 'drga'; did you mean 'drag'?"),
+               message);
+}
+
+BOOST_AUTO_TEST_CASE(the_name_of_an_experiment_must_be_a_file_name) {
+    for (const std::string name : {"../../../escaped", "a/b", "", "a b", "."}) {
+        const std::string message =
+            refused("return paper.design {\nname = '" + name + "', settings = { { name = 'a' } } }");
+        BOOST_TEST(message ==
+                   "test.lua:3: the name of an experiment is 1 to 100 letters, digits, '-' and '_', not '" +
+                       name + "'");
+        BOOST_TEST(test::contains(refused("return paper.experiment {\nname = '" + name + "' }"),
+                                  "test.lua:2: the name of a setting is 1 to 100 letters"));
+    }
+    BOOST_TEST(refused("return paper.design { name = 'A-b_9', settings = { { name = 'a' } } }") == "");
+}
+
+BOOST_AUTO_TEST_CASE(every_text_must_be_one_line) {
+    BOOST_TEST(refused("return paper.experiment { name = 'x',\n title = [[Thick water,\nas in honey]] }") ==
+               "test.lua:3: title must be one line, without a line break or a zero byte");
+    for (const char *text : {"a\\nb", "a\\r", "\\0", "a\\0b"}) {
+        BOOST_TEST(test::contains(
+                       refused("return paper.design { name = 'x', settings = {\n{ name = 'a',\ntitle = '" +
+                               std::string(text) + "' } } }"),
+                       "test.lua:4: settings[1].title must be one line"),
+                   text);
+        BOOST_TEST(test::contains(
+            refused("return paper.design { name = 'x', settings = { { name = 'a' } },\n"
+                    "statistics = planula.fill({ claims = { { id = 'C', section = '-', paper = '-', test = "
+                    "'cyclic', a = 'a', level = 1,\nstatement = '" +
+                    std::string(text) + "' } } }, require 'paper.summary') }"),
+            "test.lua:4: statistics.claims[1].statement must be one line"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_change_them) {
+    const Experiment e =
+        experiment("return paper.design { name = 'x', parameters = { seeds = 3, population = 10 },\n"
+                   "settings = { { name = 'a' }, { name = 'b', parameters = { population = 12 } } } }",
+                   {{"generations", 7}});
+    BOOST_TEST(e.settings[0].parameters.neat.population == 10);
+    BOOST_TEST(e.settings[1].parameters.neat.population == 12);
+    BOOST_TEST(e.settings[1].parameters.design.seeds == 3);
+    BOOST_TEST(e.settings[1].parameters.design.generations == 7);
+    BOOST_TEST(e.analysis.design.design.generations == Parameters{}.design.generations);
+}
+
+BOOST_AUTO_TEST_CASE(how_much_a_run_records_is_stated_for_all_settings_or_for_one) {
+    const auto recordings = [](const std::string &text) {
+        std::string names;
+        for (const Spec &spec : experiment(text).settings) names += std::string(name_of(spec.record)) + " ";
+        return names;
+    };
+    BOOST_TEST(recordings("return paper.experiment { name = 'x' }") == "full ");
+    BOOST_TEST(recordings("return paper.experiment { name = 'x', record = 'sample' }") == "sample ");
+    BOOST_TEST(recordings("return paper.design { name = 'x', record = 'sample',\n"
+                          "settings = { { name = 'a' }, { name = 'b', record = 'full' } } }") ==
+               "sample full ");
+    BOOST_TEST(
+        test::contains(refused_body("record = 'sampel'"),
+                       "test.lua:3: record: 'sampel' is not one of full, sample; did you mean 'sample'?"));
+    BOOST_TEST(test::contains(refused_body("record = true"), "test.lua:3: record must be a text"));
+}
+
+BOOST_AUTO_TEST_CASE(only_overrides_that_decide_lives_are_kept_with_a_run) {
+    const Experiment e =
+        experiment("return paper.experiment { name = 'x' }",
+                   {{"generations", 7}, {"drag_normal", 2}, {"confidence", 0.9}, {"seeds", 3}});
+    const RunSources sources = sources_of(e);
+    BOOST_REQUIRE_EQUAL(sources.overrides.size(), 1u);
+    BOOST_TEST(sources.overrides[0].first == "drag_normal");
+    std::vector<std::string> files;
+    for (const RunSources::File &file : sources.files) files.push_back(file.path);
+    BOOST_TEST(files.front() == "experiment.lua");
+    BOOST_TEST((std::find(files.begin(), files.end(), "paper.lua") != files.end()));
+    BOOST_TEST((std::find(files.begin(), files.end(), "paper/judgement.lua") != files.end()));
+}
+
+BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {
+    const auto claims = [](const std::string &claim) {
+        return refused("return paper.design { name = 'x', settings = { { name = 'a' }, { name = 'b' } },\n"
+                       "statistics = { confidence = 0.95, resamples = 100, significance = 0.05, sample_share "
+                       "= 0.01, sample_least = 10,\n"
+                       "claims = {\n" +
+                       claim + "\n} } }");
+    };
+    const std::string good =
+        "id = 'S1', statement = 's', section = '1', paper = 'p', test = 'best_at_generation', ";
+    BOOST_TEST(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater' }") == "");
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'bb', expect = 'greater' }"),
+                              "test.lua:5: claim 'S1'"),
+               claims("{ " + good + "a = 'a', b = 'bb', expect = 'greater' }"));
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expect = 'bigger' }"),
+                              "test.lua:5: claim 'S1'"));
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expects = 'greater' }"),
+                              "did you mean 'expect'?"));
+    BOOST_TEST(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater', calibrated = true }") == "");
+    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater', calibrated = 1 }"),
+                              "calibrated must be true or false"));
+    BOOST_TEST(test::contains(claims("{ id = 'S1' }"), "statement is missing"));
+    BOOST_TEST(test::contains(refused_body("statistics = 'paper.statistic'"),
+                              "test.lua:3: no module 'paper.statistic'"));
+}
+
+BOOST_AUTO_TEST_CASE(every_search_is_one_line) {
+    for (const std::string search : {"neat", "novelty", "nsga2", "nslc", "map-elites"})
+        BOOST_TEST(experiment("return paper.experiment { name = 'x', search = '" + search + "' }")
+                       .settings[0]
+                       .search == search);
+}
+
+BOOST_AUTO_TEST_CASE(a_start_is_generations_and_the_behaviour_of_bodies) {
+    BOOST_TEST(!experiment("return paper.experiment { name = 'x' }").settings[0].start.has_value());
+    const Experiment e =
+        experiment("return paper.experiment { name = 'x', start = { generations = 7, behaviour = "
+                   "function(life, parameters) return { life.cells, parameters.cell_limit } end } }");
+    const Spec &spec = e.settings[0];
+    BOOST_REQUIRE(spec.start.has_value());
+    BOOST_TEST(spec.start->generations == 7);
+    Life grown;
+    grown.outcome = Outcome::viable;
+    grown.cells = 20;
+    BOOST_TEST((spec.start->judge(grown) == Evaluation{0, {20, 256}, 1}));
+    BOOST_TEST((spec.judge(grown).behaviour == std::vector<double>{0, 0})); // the run's own is the paper's
+    grown.outcome = Outcome::too_small;
+    BOOST_TEST(!spec.start->judge(grown).valid());
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
+    const std::string behaviour = "behaviour = function(life) return { life.cells } end";
+    const auto start = [&](const std::string &fields) { return refused_body("start = { " + fields + " }"); };
+    BOOST_TEST(test::contains(start(behaviour), "start takes at least 1 generation, not 0"));
+    BOOST_TEST(test::contains(start("generations = -1, " + behaviour), "must be a whole number"));
+    BOOST_TEST(test::contains(start("generations = 2"), "behaviour is missing"));
+    BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));
+}
+
+BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_on_its_line) {
+    const auto start = [](const std::string &result) {
+        return refused_body("start = { generations = 2, behaviour = function(life)\nreturn " + result +
+                            " end }");
+    };
+    for (const std::string field :
+         {"activity", "displacement", "finish", "late_actuation", "path", "rest", "settle_steps"})
+        BOOST_TEST(
+            test::contains(start("{ life." + field + " and 1 }"),
+                           "test.lua:4: life." + field +
+                               " is known only after a body has moved; a start judges by growth alone"),
+            start("{ life." + field + " and 1 }"));
+    BOOST_TEST(
+        test::contains(refused_body("start = { generations = 2, behaviour = paper.judgement.behaviour }"),
+                       "life.finish is known only"));
+    // The penalty function is called for grown bodies, too.
+    BOOST_TEST(test::contains(
+        refused_body("start = { generations = 2, behaviour = function(life) return { life.cells } end },\n"
+                     "penalty = function(life) return life.settle_steps > 0 and 1 or 0 end"),
+        "test.lua:4: life.settle_steps is known only"));
+    const std::string known =
+        "{ life.births, life.cells, life.elongation, life.largest, life.springs, life.triangles, "
+        "life.outcome == 'viable' and 1 or 0 }";
+    BOOST_TEST(experiment("return paper.experiment { name = 'x', start = { generations = 2, behaviour = "
+                          "function(life) return " +
+                          known + " end } }")
+                   .settings.size() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(descriptors_have_the_stated_values) {
+    const auto described = [](const std::string &name, const Life &life) {
+        const Experiment e =
+            experiment("return paper.experiment { name = 'x', search = 'map-elites', behaviour "
+                       "= require('descriptors')." +
+                       name + " }");
+        return e.settings[0].judge(life).behaviour;
+    };
+    Life life;
+    life.outcome = Outcome::viable;
+    life.cells = 40, life.springs = 90, life.elongation = 3;
+    // Sixteenths of a turn: right, up, left, down, and a hair below right.
+    for (const auto &[moved, sixteenth] : {std::pair{Vec2d{2, 0}, 0.0},
+                                           {Vec2d{0, 3}, 4.0},
+                                           {Vec2d{-1, 0}, 8.0},
+                                           {Vec2d{0, -1}, 12.0},
+                                           {Vec2d{1, -1e-300}, 0.0}}) {
+        life.finish = moved;
+        BOOST_TEST((described("size_and_direction", life) == std::vector<double>{2.5, sixteenth}));
+    }
+    life.rest = {1, 1}, life.finish = {1, 3};
+    BOOST_TEST((described("size_and_direction", life) == std::vector<double>{2.5, 4}));
+    BOOST_TEST((described("shape", life) == std::vector<double>{2.5, 3, 9}));
+    life.elongation = 0; // no width at all
+    BOOST_TEST((described("shape", life) == std::vector<double>{2.5, 8, 9}));
+}
+
+BOOST_AUTO_TEST_CASE(every_experiment_file_passes_its_check) {
+    for (const auto &file : test::experiment_files()) {
+        Experiment e;
+        BOOST_TEST(test::refusal([&] { e = load_experiment(file, test::experiments_folder()); }) == "",
+                   file.string());
+        BOOST_TEST(!e.settings.empty(), file.string());
+        BOOST_TEST(!e.title.empty(), file.string());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_reading_is_the_standard_one_and_no_other_is) {
+    const Experiment e =
+        load_experiment(test::experiments_folder() / "readings.lua", test::experiments_folder());
+    for (const Spec &spec : e.settings) {
+        bool differs = false;
+        for (const ParameterRow &row : parameter_rows())
+            if (row.name != "seeds" && row.name != "generations")
+                differs = differs || parameter(spec.parameters, row.name) != row.standard;
+        BOOST_TEST(differs != spec.name.starts_with("standard-"), spec.name);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_replication_states_the_papers_eight_settings) {
+    const Experiment e =
+        load_experiment(test::experiments_folder() / "paper" / "replication.lua", test::experiments_folder());
+    BOOST_REQUIRE_EQUAL(e.settings.size(), 8u);
+    for (const Spec &spec : e.settings) {
+        const bool osc = spec.name.starts_with("osc"), water = test::contains(spec.name, "-aq-");
+        const bool novelty = spec.name.ends_with("-ns");
+        BOOST_TEST((spec.actuation == (osc ? Actuation::oscillator : Actuation::grn)), spec.name);
+        BOOST_TEST(spec.search == (novelty ? "novelty" : "neat"), spec.name);
+        BOOST_TEST(spec.environment.has_ground == !water, spec.name);
+        BOOST_TEST(spec.environment.has_fluid() == water, spec.name);
+        BOOST_TEST(spec.environment.gravity == (water ? 0 : Parameters{}.land.gravity), spec.name);
+        BOOST_TEST(spec.actuation_range == (water ? 0.4 : 0.3), spec.name);
+        for (const ParameterRow &row : parameter_rows())
+            BOOST_TEST(parameter(spec.parameters, row.name) == row.standard, row.name);
+    }
+    // S1 to S13, each with at least one test.
+    for (int i = 1; i <= 13; ++i) {
+        bool found = false;
+        for (const Claim &claim : e.analysis.claims)
+            found = found || std::string_view(claim.id).substr(0, claim.id.find_first_of("abcdefgh")) ==
+                                 "S" + std::to_string(i);
+        BOOST_TEST(found, "S" << i);
+    }
+}
