@@ -19,7 +19,7 @@ bool has_no_species(const Spec &spec) {
     return !spec.start && has_search(spec, {"nsga2", "nslc", "map-elites"});
 }
 bool ignores_ages(const Spec &spec) {
-    const bool is_equal = spec.parameters.novelty_species == NoveltySpecies::equal;
+    const bool is_equal = spec.parameters.novelty.novelty_species == NoveltySpecies::equal;
     return has_no_species(spec) || (is_equal && has_search(spec, {"novelty", "nsga2", "nslc", "map-elites"}));
 }
 bool shares_by_novelty(const Spec &spec) {

@@ -9,10 +9,10 @@
 #include "base/text.h"
 #include "program/commands.h"
 #include "program/interrupt.h"
+#include "record/run_reader.h"
+#include "storage/output.h"
 #include "tables/csv.h"
 #include "tables/genome_table.h"
-#include "storage/output.h"
-#include "record/run_reader.h"
 
 #include <optional>
 #include <ostream>

@@ -8,6 +8,7 @@
 #include "program/interrupt.h"
 #include "program/progress.h"
 #include "program/progress_file.h"
+#include "record/complete_run.h"
 #include "record/run_writer.h"
 
 #include <algorithm>
@@ -212,8 +213,8 @@ class RunCommand {
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
             reused.add(generation);
-            progress.generation(name, generation.number, spec.parameters.design.generations, writer.best_fitness(),
-                                static_cast<int>(generation.lives.size()));
+            progress.generation(name, generation.number, spec.parameters.design.generations,
+                                writer.best_fitness(), static_cast<int>(generation.lives.size()));
         };
         try {
             planula::run(

@@ -11,6 +11,7 @@
 #include "program/progress.h"
 #include "record/kept_state.h"
 #include "record/run_tables.h"
+#include "storage/packed.h"
 
 #include <algorithm>
 #include <array>

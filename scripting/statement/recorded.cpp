@@ -2,8 +2,8 @@
 // An experiment as the folder of a run keeps it, and back.
 #include "base/error.h"
 #include "experiment/deciding.h"
-#include "tables/csv.h"
 #include "statement/schema.h"
+#include "tables/csv.h"
 
 #include <algorithm>
 

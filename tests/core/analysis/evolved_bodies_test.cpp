@@ -2,9 +2,9 @@
 // The native engine computes what the reference engine says, for bodies that evolved.
 #include "support/lockstep_life.h"
 
+#include "support/specimens.h"
 #include "tables/csv.h"
 #include "tables/genome_table.h"
-#include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
 

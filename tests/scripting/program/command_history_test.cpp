@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // lineage and genome: the ancestors of an individual, and any individual of a run.
-#include "tables/csv.h"
-#include "tables/genome_table.h"
 #include "support/commands.h"
 #include "tables/csv.h"
 #include "tables/genome_table.h"

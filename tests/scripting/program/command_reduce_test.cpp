@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // reduce, witness and frames: which runs they read, and where they write.
-#include "tables/csv.h"
 #include "record/run_reader.h"
 #include "support/commands.h"
 #include "tables/csv.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/text.h"
 #include "program/progress_file.h"
-#include "tables/csv.h"
 #include "support/commands.h"
 #include "tables/csv.h"
 
