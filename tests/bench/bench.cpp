@@ -36,7 +36,7 @@ void physics_step(benchmark::State &state, Engine &engine, const World &world, S
 
 /// One iteration is one update of 100 cells.
 void network_update(benchmark::State &state, Actuation actuation) {
-    const Network network = express(random_genome(actuation, 1), Parameters{}.propagation_limit);
+    const Network network = express(random_genome(actuation, 1), NetworkParameters{}.propagation_limit);
     Activations activations = hundred_cells(network);
     for (auto _ : state) {
         actuation == Actuation::grn ? step(network, activations) : evaluate(network, activations);
@@ -49,7 +49,7 @@ void novelty_query(benchmark::State &state, int archived) {
     const PointIndex archive = end_points(archived, 1);
     double x = -10;
     for (auto _ : state) {
-        Nearest nearest(Parameters{}.novelty_neighbours);
+        Nearest nearest(NoveltyParameters{}.novelty_neighbours);
         archive.offer(std::vector{x, 0.5 * x}, 0, nearest);
         benchmark::DoNotOptimize(nearest.list().back());
         x = x > 10 ? -10 : x + 0.37;

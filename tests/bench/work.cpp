@@ -36,7 +36,8 @@ double steps(const native::Kernel &kernel, const World &world, const Body &body)
 
 /// Updates of 100 cells.
 double network_updates(Actuation actuation) {
-    const Network network = express(specimens::random_genome(actuation, 1), Parameters{}.propagation_limit);
+    const Network network =
+        express(specimens::random_genome(actuation, 1), NetworkParameters{}.propagation_limit);
     Activations activations = hundred_cells(network);
     for (int i = 0; i < 500; ++i)
         actuation == Actuation::grn ? step(network, activations) : evaluate(network, activations);
@@ -59,7 +60,7 @@ double novelty_queries() {
     asked.offer(std::vector{0.0, 0.0}, 0, all);
     double sum = 0;
     for (const Neighbour &each : all.list()) {
-        Nearest nearest(Parameters{}.novelty_neighbours);
+        Nearest nearest(NoveltyParameters{}.novelty_neighbours);
         archive.offer(std::vector{each.squared, 1.0}, 0, nearest);
         sum += nearest.list().back().squared;
     }
