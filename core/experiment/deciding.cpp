@@ -34,8 +34,6 @@ std::string of_search(const Spec &spec, const std::string &what) {
 
 constexpr auto of_gaits_by_networks =
     std::to_array<std::string_view>({"update_interval", "gait_time", "gait_place"});
-constexpr auto of_settling =
-    std::to_array<std::string_view>({"settle_speed", "settle_window", "settle_limit", "settle_damping"});
 constexpr auto of_species =
     std::to_array<std::string_view>({"compatibility_floor", "compatibility_step", "species_low",
                                      "species_high", "fitness_floor", "survival_rate", "interspecies_rate"});
@@ -78,7 +76,7 @@ std::string why_unread(const ParameterRow &row, const Spec &spec) {
     if (is_of_worlds(row.name) && !makes_world(row.name, spec))
         return "its environment takes no number from this parameter";
     if (row.section == "Judgement") return "its functions do not read it";
-    if (is_one_of(row.name, of_settling) && !(spec.environment.gravity > 0))
+    if (row.section == "Settling" && !(spec.environment.gravity > 0))
         return "its environment has no gravity, without which no body settles";
     if (row.name == "period_shortest" && spec.actuation != Actuation::oscillator)
         return "its actuation has no oscillators";

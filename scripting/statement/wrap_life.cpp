@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "statement/wrap_life.h"
 
+#include "base/error.h"
+#include "base/text.h"
 #include "language/wrap.h"
-#include "statement/reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,48 +72,30 @@ std::vector<std::string_view> field_names(bool only_grown) {
     return names;
 }
 
-void push_text(lua_State *L, const std::string &text) { lua_pushlstring(L, text.data(), text.size()); }
-
-void no_such_field(lua_State *L, const char *what, const std::vector<std::string_view> &known) {
-    const char *key = lua_tostring(L, 2);
-    lua_pushstring(L, key ? key : luaL_typename(L, 2));
-    const std::string name = lua_tostring(L, -1);
-    push_text(L, std::string(what) + " has no '" + name + "'" + suggestion(name, known) +
+[[noreturn]] void refuse_field(lua_State *L, const std::string &owner,
+                               const std::vector<std::string_view> &known) {
+    const std::string name = lua_isstring(L, 2) ? lua_tostring(L, 2) : luaL_typename(L, 2);
+    throw InputError(owner + " has no '" + name + "'" + suggestion(name, known) +
                      " (allowed: " + list_of(known) + ")");
 }
 
-void not_known_yet(lua_State *L, const Field &field) {
-    push_text(L, "life." + std::string(field.name) +
-                     " is known only after a body has moved; a start judges by growth alone (allowed: " +
-                     list_of(field_names(true)) + ")");
-}
-
-// Raises the message that one of these left.
-int raise_message(lua_State *L) {
-    luaL_where(L, 1);
-    lua_insert(L, -2);
-    lua_concat(L, 2);
-    return lua_error(L);
-}
-
-const Life &life_in(lua_State *L, const LifeSlot &slot) {
-    if (!slot.life) luaL_error(L, "a life can be read only while it is judged");
+const Life &life_in(const LifeSlot &slot) {
+    if (!slot.life) throw InputError("a life can be read only while it is judged");
     return *slot.life;
 }
 
 int life_index(lua_State *L) {
     const auto &slot = *static_cast<LifeSlot *>(luaL_checkudata(L, 1, life_type));
-    const Life &life = life_in(L, slot);
+    const Life &life = life_in(slot);
     const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     const auto field =
         std::find_if(fields().begin(), fields().end(), [&](const Field &each) { return key == each.name; });
-    if (field == fields().end())
-        no_such_field(L, "life", field_names(slot.only_grown));
-    else if (slot.only_grown && field->known == KnownAfter::locomotion)
-        not_known_yet(L, *field);
-    else
-        return field->push(L, life, 1), 1;
-    return raise_message(L);
+    if (field == fields().end()) refuse_field(L, "life", field_names(slot.only_grown));
+    if (slot.only_grown && field->known == KnownAfter::locomotion)
+        throw InputError("life." + std::string(key) +
+                         " is known only after a body has moved; a start judges by growth alone (allowed: " +
+                         list_of(field_names(true)) + ")");
+    return field->push(L, life, 1), 1;
 }
 
 int point_index(lua_State *L) {
@@ -120,12 +103,11 @@ int point_index(lua_State *L) {
     const std::string_view key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     if (key == "x") return lua_pushnumber(L, point.x), 1;
     if (key == "y") return lua_pushnumber(L, point.y), 1;
-    no_such_field(L, "a point", {"x", "y"});
-    return raise_message(L);
+    refuse_field(L, "a point", {"x", "y"});
 }
 
 const Life &life_of_path(lua_State *L) {
-    return life_in(L, **static_cast<LifeSlot **>(luaL_checkudata(L, 1, path_type)));
+    return life_in(**static_cast<LifeSlot **>(luaL_checkudata(L, 1, path_type)));
 }
 
 int path_index(lua_State *L) {

@@ -32,8 +32,8 @@ namespace {
 
 Spec small(std::string_view search, Actuation actuation, bool on_land, bool with_start) {
     Spec spec = swimmers(search, actuation, 12, 200);
-    spec.parameters.settle_window = 20;
-    spec.parameters.settle_limit = 400;
+    spec.parameters.settling.settle_window = 20;
+    spec.parameters.settling.settle_limit = 400;
     if (on_land) spec.environment = specimens::land();
     if (with_start) spec.start = {2, [](const Life &life) { return Evaluation{0, {life.elongation}, 1.0}; }};
     return spec;
@@ -91,6 +91,6 @@ BOOST_AUTO_TEST_CASE(a_parameter_is_unread_where_its_reader_has_no_part) {
     // A search of which nothing is known here may read all that searches read.
     const Spec unknown = small("another", Actuation::grn, true, true);
     for (const ParameterRow &row : parameter_rows())
-        if (row.section == "Evolution" || row.section == "Novelty search" || row.section == "MAP-Elites")
+        if (row.section == "NEAT" || row.section == "Novelty search" || row.section == "MAP-Elites")
             BOOST_TEST(!unread(row.name, unknown), row.name);
 }
