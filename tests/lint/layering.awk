@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Checks C++ sources against the rooms of core/ and scripting/, whose CMakeLists.txt are read first. See layering.sh.
+# Checks C++ sources against the room lines of the CMakeLists.txt that are read first. See layering.sh.
 
 function report(message) {
     printf "%s:%d: %s\n", FILENAME, FNR, message
@@ -14,14 +14,6 @@ function is_file(list,   stem) {
     stem = FILENAME
     sub(/\.[a-z]+$/, "", stem)
     return index(" " list " ", " " stem " ") > 0
-}
-
-# Marks all rooms that `top` reaches, itself included.
-function reach(top, next_room,   names, count, i) {
-    if ((top, next_room) in reachable) return
-    reachable[top, next_room] = 1
-    count = split(depends[next_room], names, " ")
-    for (i = 1; i <= count; i++) reach(top, names[i])
 }
 
 # The line without comments and without the text of string literals; a block comment may go on to the next line.
@@ -49,29 +41,51 @@ function code_of(line,   code, c, two, i, quote) {
     return code
 }
 
-# An include of the project's own, "room/file.h": it must exist and the room must be in reach.
-function check_own(path,   target) {
-    target = path
+# An include of the project's own, "room/file.h" or "scripting/file.h": the file must exist, and the room that includes it
+# must list its room. Files that lie in scripting/ itself may include all rooms.
+function check_own(path,   target, file) {
+    file = path
+    sub(/^scripting\//, "", file)
+    target = file
     sub(/\/.*/, "", target)
-    if (!(target in depends)) report("includes \"" path "\", which names no room")
-    else if (!((room, target) in reachable))
-        report("room " room " includes \"" path "\", but " folder[room] "/CMakeLists.txt gives it no way to " target)
-    else if (!((folder[target] "/" path) in exists)) report("includes \"" path "\", which does not exist")
+    if (target in depends) file = home[target] "/" file
+    else if (path ~ /^scripting\/[^\/]*$/) { file = path; target = "scripting" }
+    else { report("includes \"" path "\", which names no room"); return }
+    if (room == target || room == "scripting") ;
+    else if (index(" " depends[room] " ", " " target " ")) used[room, target] = 1
+    else report("room " room " includes \"" path "\", but " home[room] "/CMakeLists.txt does not list " target " in its DEPENDS")
+    if (!(file in exists)) report("includes \"" path "\", which does not exist")
     if (path == "base/random.h" && !within("base genome evolution statistics experiment analysis"))
         report("room " room " draws random numbers; only base genome evolution statistics experiment analysis may")
 }
 
+# Of every room line: the rooms it names stand above it, and the room includes something of each.
+function check_rooms(   i, j, name, names, count) {
+    for (i = 1; i <= rooms; i++) {
+        name = room_at[i]
+        count = split(depends[name], names, " ")
+        for (j = 1; j <= count; j++)
+            if (!(names[j] in place) || place[names[j]] >= i) report_room(name, "no room " names[j] " stands above it")
+            else if (!((name, names[j]) in used)) report_room(name, "lists " names[j] ", but includes nothing of it")
+    }
+}
+
+function report_room(name, message) {
+    printf "%s/CMakeLists.txt:%d: room %s: %s\n", home[name], line_of[name], name, message
+    errors++
+}
+
 # An include of a system header.
 function check_system(header) {
-    if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !within("storage record language program"))
-        report("<" header "> outside storage, record, language and program: files are touched at the edge only")
+    if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !program && !within("record"))
+        report("<" header "> outside record and scripting: files are touched at the edge only")
     if (header ~ /^(thread|future|pthread\.h|omp\.h|execution)$/ && !is_file("core/base/parallel"))
         report("<" header "> outside base/parallel: the only threads are there")
     if (header ~ /^(random)$/) report("<random>: chance comes from the streams of base/random.h")
     if (header ~ /^([a-z]*intrin\.h|arm_neon\.h|arm_sve\.h|x86gprintrin\.h|experimental\/simd)$/ && !is_file("core/base/lanes"))
         report("<" header "> outside base/lanes: the only intrinsics are there")
-    if (header ~ /^(chrono|ctime|time\.h|sys\/time\.h)$/ && !within("language program"))
-        report("<" header "> outside language and program: nothing else knows a clock")
+    if (header ~ /^(chrono|ctime|time\.h|sys\/time\.h)$/ && !program)
+        report("<" header "> in core: the library knows no clock")
 }
 
 BEGIN {
@@ -84,15 +98,21 @@ BEGIN {
 FILENAME ~ /CMakeLists\.txt$/ {
     if (match($0, /^room\([a-z_]+/)) {
         name = substr($0, 6, RLENGTH - 5)
-        rest = $0
-        if (!sub(/^.*DEPENDS */, "", rest)) rest = ""
-        sub(/\).*/, "", rest)
-        count = split(rest, names, " ")
-        for (i = 1; i <= count; i++) if (!(names[i] in depends)) report("room " name " depends on " names[i] ", which is no room above it")
-        depends[name] = rest
-        folder[name] = FILENAME
-        sub(/\/.*/, "", folder[name])
-        rooms++
+        home[name] = FILENAME
+        sub(/\/.*/, "", home[name])
+        line_of[name] = FNR
+        room_at[++rooms] = name
+        place[name] = rooms
+        depends[name] = ""
+        in_room = 1
+        sub(/^room\([a-z_]+/, "")
+    }
+    if (in_room) {
+        in_room = !/\)/
+        sub(/\).*/, "")
+        sub(/DEPENDS/, "")
+        depends[name] = depends[name] " " $0
+        gsub(/ +/, " ", depends[name])
     }
     next
 }
@@ -101,14 +121,14 @@ FILENAME ~ /CMakeLists\.txt$/ {
 FNR == 1 {
     if (!prepared) {
         prepared = 1
-        for (name in depends) reach(name, name)
         for (i = 1; i < ARGC; i++) exists[ARGV[i]] = 1
     }
     split(FILENAME, parts, "/")
-    room = parts[2]
+    room = parts[1] == "core" || parts[2] in depends ? parts[2] : "scripting"
+    program = parts[1] == "scripting"
     in_comment = 0
     files++
-    if (folder[room] != parts[1]) report("lies in a folder without a room line in " parts[1] "/CMakeLists.txt")
+    if (parts[1] == "core" && !(room in depends)) report("lies in a folder without a room line in core/CMakeLists.txt")
 }
 
 { code = code_of($0) }
@@ -126,22 +146,16 @@ code ~ qualified || (code ~ bare && !is_file("core/base/math")) {
 code ~ /std ?:: ?[a-z_]+_distribution|std ?:: ?(random_device|mt19937|minstd_rand|default_random_engine|shuffle|random_shuffle|sample)[^A-Za-z0-9_]|(^|[^A-Za-z0-9_:.>])s?rand(om)? ?\(/ {
     report("chance that differs between libraries: use a Stream of base/random.h")
 }
-code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !within("program") {
-    report("environment or locale outside program: results may depend on neither")
+code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !program {
+    report("environment or locale in core: results may depend on neither")
 }
 code ~ /(^|[^A-Za-z0-9_])(strto(d|f|ld|l|ul|ll|ull)|ato(f|i|l|ll)|sto(d|f|ld|i|l|ll|ul|ull)) ?\(/ && !is_file("core/base/text") {
     report("text to number by a function that follows the locale: use base/text.h")
 }
-# Errors cross between C++ and Lua in one place (language/gate.h).
-code ~ /(^|[^A-Za-z0-9_])catch *\(/ && room == "language" && !is_file("scripting/language/gate") {
-    report("an exception is caught outside language/gate.h: throw, and let the gate make a Lua error of it")
-}
-code ~ /lua_c?pcall *\(/ && parts[1] == "scripting" && !is_file("scripting/language/lua_state scripting/language/wrap_base") {
-    report("a protected call outside LuaState: use call() or inspect()")
-}
 
 END {
-    if (!rooms) { print "layering: no room line found"; errors++ }
+    if (!rooms) { print "core/CMakeLists.txt: no room line found"; errors++ }
+    check_rooms()
     if (errors) { printf "layering: %d violations\n", errors; exit 1 }
-    printf "layering: %d files in %d rooms keep to core/CMakeLists.txt and scripting/CMakeLists.txt\n", files, rooms
+    printf "layering: %d files in %d rooms include what their lines list, and all of it\n", files, rooms
 }
