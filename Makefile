@@ -196,10 +196,13 @@ instructions: deps build/CMakeCache.txt ## instructions of fixed pieces of work,
 	@cmake --build build --parallel $(JOBS) --target work > build/work.log 2>&1 || { cat build/work.log; exit 1; }
 	@bash tests/bench/instructions.sh build/tests/work $(if $(KEEP),--keep)
 
-lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
-	@failed=0; for check in layering sources format lint_test; do \
-	  bash tests/lint/$$check.sh || failed=$$((failed + 1)); done; \
-	  echo "lint: $$((4 - failed)) passed, $$failed failed"; ((failed == 0))
+lint: ## layering, forbidden constructs, licences, paths, format, names in the documentation; and that the lint itself can fail
+	@passed=0 failed=0; for check in layering sources format documents rooms lint_test; do \
+	  if bash tests/lint/$$check.sh; then passed=$$((passed + 1)); else failed=$$((failed + 1)); fi; done; \
+	  echo "lint: $$passed passed, $$failed failed"; ((failed == 0))
+
+architecture: ## draw the rooms of core/CMakeLists.txt and scripting/CMakeLists.txt: paper/rooms.svg
+	@bash tests/lint/rooms.sh --draw
 
 format: ## clang-format every C++ source in place
 	@find core scripting tests -name '*.h' -o -name '*.cpp' | xargs -d '\n' clang-format -i
@@ -218,7 +221,7 @@ deps-paper: ## packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches readings readings-tables \
-        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint format clean deps deps-paper always
+        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:

@@ -53,8 +53,16 @@ TXT
     printf '#include "base/math.h"\n' >> "$project/core/physics/step.h"
     printf '#include <iostream>\n#include "physics/step.h"\n' >> "$project/core/record/write.h"
     mkdir "$project"/scripting/{language,program}
+    printf '# SPDX-License-Identifier: MIT\nclean: ## removes\nSEEDS ?= 1\n' > "$project/Makefile"
+    printf '%s\n' '# Read me' 'See `core/genome/genome.h`, [a page](paper/decisions/0001-land.md) (decision 0001), `gravity`, `make clean SEEDS=2`,' \
+        '`planula run core/base/math.h --seeds 1`, `grow()` and `tests/core/<room>/*_test.cpp`.' '```sh' 'cp core/base/math.h core/base/mine.h   # not `core/none.h`' \
+        'build/planula run core/base/mine.h' '```' > "$project/README.md"
+    printf '%s\n' '# Changelog' '## New' '`core/old.h` is gone.' '## Old' '`core/older.h`' > "$project/CHANGELOG.md"
+    mkdir -p "$project/tests/core/base"
+    printf '// SPDX-License-Identifier: MIT\n// See genome/genome.h, base/math.h. Like file.lua (decision 0001).\n' > "$project/tests/core/base/math_test.cpp"
     printf '// SPDX-License-Identifier: MIT\n#include "base/text.h"\n' > "$project/scripting/language/state.h"
-    printf '// SPDX-License-Identifier: MIT\n#include "language/state.h"\n#include "record/write.h"\n' > "$project/scripting/program/run.cpp"
+    printf '// SPDX-License-Identifier: MIT\n#include "language/state.h"\n#include "record/write.h"\nconst char *names[] = {"run", "--seeds"};\n' > "$project/scripting/program/run.cpp"
+    LC_ALL=C awk -f "$project/tests/lint/rooms.awk" "$project"/{core,scripting}/CMakeLists.txt > "$project/paper/rooms.svg"
     printf '#include <thread>\n' >> "$project/core/base/parallel.h"
     printf '#include <immintrin.h>\n' >> "$project/core/base/lanes.h"
     printf '// SPDX-License-Identifier: MIT\n#include "physics/step.h"\n' > "$project/scripting/main.cpp"
@@ -90,6 +98,8 @@ catches() {
 fresh
 passes layering.sh
 passes sources.sh
+passes documents.sh
+passes rooms.sh
 
 # Rooms.
 catches layering.sh 'does not list physics' core/development/grow.cpp '#include "physics/step.h"'
@@ -149,6 +159,23 @@ catches sources.sh 'no rule of the article describes' core/parameters/parameters
 catches sources.sh 'a rule that the article does not have' core/physics/step.h '// Gravity (ru''le L2).'
 catches sources.sh 'a rule that the article does not have' core/physics/step.h '// Gravity (§2.5; ru''les L1 to L3).'
 catches sources.sh 'a rule that the article does not have' paper/sections/more.tex '% SPDX-License-Identifier: MIT\nGravity (\\ru''l{L4}).'
+
+# Documentation.
+catches documents.sh 'core/genome/gone.h does not exist' README.md 'See `core/genome/gone.h`.'
+catches documents.sh 'core/gone/ does not exist' README.md 'Files `core/gone/`.'
+catches documents.sh 'tests/core/*_test.c does not exist' README.md 'Files `tests/core/*_test.c`.'
+catches documents.sh 'paper/gone.md does not exist' README.md 'A [page](paper/gone.md).'
+catches documents.sh 'gone.csv does not exist' README.md 'In `gone.csv`.'
+catches documents.sh 'no target `make dance`' README.md 'Say `make clean dance`.'
+catches documents.sh 'reads no variable PARTNERS' README.md 'Say `make clean PARTNERS=2`.'
+catches documents.sh 'has no command dance' README.md '```sh\nbuild/planula dance a.lua\n```'
+catches documents.sh 'has no option --partners' README.md 'Say `planula run core/base/math.h --partners 2`.'
+catches documents.sh 'nothing is called ether' paper/decisions/0001-land.md 'And `ether` 1.'
+catches documents.sh 'decision 0002 does not exist' paper/decisions/0001-land.md 'See page 0002.'
+catches documents.sh 'decision 0003 does not exist' core/physics/step.h '// See decision 0003.'
+catches documents.sh 'names genome/gone.h' core/physics/step.h 'int x; // as in genome/gone.h.'
+catches documents.sh 'names gone.lua' scripting/language/state.h '// What gone.lua says.'
+catches rooms.sh 'make architecture' core/CMakeLists.txt '# More.\nroom(more DEPENDS base)'
 
 if ((failed)); then
     echo "lint_test: $failed of $checked plants slip through"
