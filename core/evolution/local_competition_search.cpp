@@ -51,4 +51,8 @@ std::vector<double> LocalCompetitionSearch::diversity(std::span<const Objectives
     return result;
 }
 
+std::unique_ptr<Search> local_competition_search(const Parameters &parameters) {
+    return std::make_unique<LocalCompetitionSearch>(parameters);
+}
+
 } // namespace planula

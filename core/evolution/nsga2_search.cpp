@@ -18,4 +18,8 @@ std::vector<double> Nsga2Search::diversity(std::span<const Objectives> objective
     return crowding_distances(objectives, front);
 }
 
+std::unique_ptr<Search> nsga2_search(const Parameters &parameters) {
+    return std::make_unique<Nsga2Search>(parameters);
+}
+
 } // namespace planula

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The search seam: what is rewarded, and who breeds. A search turns the evaluations of a generation into
-// scores, and makes the next generation: of that one alone, by NEAT's epoch (evolution/reproduce.h), or of
-// individuals that it has kept (evolution/brood.h). Crossover and mutation are the same for all
-// (evolution/breed.h).
+// The interface of all searches: what is rewarded, and who has offspring. A search turns the evaluations of a generation
+// into scores and makes the next generation, either from that one alone, by NEAT's epoch (evolution/reproduce.h), or from
+// individuals that it has kept (evolution/brood.h). Crossover and mutation are the same for all (evolution/breed.h).
+//
+// A new search is one file, <name>_search.cpp, and its line in evolution/searches.inl.
 #pragma once
 
 #include "evolution/evaluation.h"
@@ -47,8 +48,14 @@ class Search {
                       StateReader &reader) = 0;
 };
 
-/// The names that make_search knows: "neat", "novelty", "nsga2", "nslc" (local competition), "map-elites".
-std::span<const std::string_view> search_names();
+/// A line of evolution/searches.inl.
+struct SearchRow {
+    std::string_view name, score; // score: what the search rewards
+    std::unique_ptr<Search> (*make)(const Parameters &parameters);
+};
+
+std::span<const SearchRow> search_rows();
+std::vector<std::string_view> search_names();
 /// Throws InputError with the nearest name if there is no such search.
 std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters);
 
