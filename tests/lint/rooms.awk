@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Draws the rooms of the CMakeLists.txt that it reads as an SVG: a box for each room line, with the comment above the line,
-# and a line down to each room that it includes and does not reach through another. A room that all others include is the
-# ground below them. Boxes lie in layers, each as high as the rooms above it allow (Sugiyama et al. 1981).
+# and a line down to each room that it includes and does not reach through another. Rooms that two of three include are the
+# ground, without lines. Boxes lie in layers, each as high as the rooms above it allow (Sugiyama et al. 1981).
 
 function max(a, b) { return a > b ? a : b }
 function min(a, b) { return a < b ? a : b }
@@ -47,8 +47,8 @@ function find_layers(   i, j, any) {
                 layer[rooms[i]] = max(layer[rooms[i]], layer[rooms[j]] + 1)
                 any++
             }
-        if (any == count - 1) ground = rooms[i]
-        else layers = max(layers, layer[rooms[i]])
+        ground[rooms[i]] = 3 * any >= 2 * (count - 1)
+        if (!ground[rooms[i]]) layers = max(layers, layer[rooms[i]])
     }
 }
 
@@ -57,12 +57,12 @@ function add_edge(upper, lower) { below[upper] = below[upper] " " lower; above[l
 
 # Boxes, and on the way of each line that crosses a layer a point there.
 function find_nodes(   i, j, k, through, from, to, last, at) {
-    for (i = count; i >= 1; i--) if (rooms[i] != ground) add_node(rooms[i], layer[rooms[i]])
+    for (i = count; i >= 1; i--) if (!ground[rooms[i]]) add_node(rooms[i], layer[rooms[i]])
     for (i = count; i >= 1; i--)
         for (j = 1; j < i; j++) {
             from = rooms[i]
             to = rooms[j]
-            if (!((from, to) in includes) || to == ground) continue
+            if (!((from, to) in includes) || ground[to]) continue
             through = 0
             for (k = j + 1; k < i; k++) if ((from, rooms[k]) in reaches && (rooms[k], to) in reaches) through = 1
             if (through) continue
@@ -85,6 +85,17 @@ function mean_of(list, otherwise,   nodes, n, i, sum) {
     return n ? sum / n : otherwise
 }
 
+# What a node wants in the end: the middle of its neighbours, of which points on the same line count ten times.
+function straight(node,   nodes, n, i, weight, sum, weights) {
+    n = split(above[node] below[node], nodes, " ")
+    for (i = 1; i <= n; i++) {
+        weight = node ~ /^\./ && nodes[i] ~ /^\./ ? 10 : 1
+        sum += weight * x[nodes[i]]
+        weights += weight
+    }
+    return n ? sum / weights : x[node]
+}
+
 # Sorts the nodes of a layer by `want`, equals as they stand.
 function sort_layer(at,   i, j, node) {
     for (i = 2; i <= size[at]; i++) {
@@ -96,16 +107,24 @@ function sort_layer(at,   i, j, node) {
 
 function half(node) { return node ~ /^\./ ? 14 : BOX / 2 + 14 }
 
-# Places the nodes of a layer near what they want, in their order and apart.
-function place_layer(at,   i, shift, node, before) {
-    shift = 0
+# Places the nodes of a layer as near as can be to what they want, in their order and apart: runs of nodes that touch move
+# together, to the mean of what their members want.
+function place_layer(at,   i, node, offset, runs, sum, members, first, last) {
+    offset = 0
     for (i = 1; i <= size[at]; i++) {
         node = row[at, i]
-        before = row[at, i - 1]
-        x[node] = i == 1 ? want[node] : max(want[node], x[before] + half(before) + half(node))
-        shift += x[node] - want[node]
+        if (i > 1) offset += half(row[at, i - 1]) + half(node)
+        off[i] = offset
+        sum[++runs] = want[node] - offset
+        members[runs] = 1
+        while (runs > 1 && sum[runs - 1] / members[runs - 1] > sum[runs] / members[runs]) {
+            sum[runs - 1] += sum[runs]
+            members[runs - 1] += members[runs]
+            runs--
+        }
     }
-    for (i = 1; i <= size[at]; i++) x[row[at, i]] -= shift / size[at]
+    for (first = i = 1; i <= runs; i++)
+        for (last = first + members[i]; first < last; first++) x[row[at, first]] = sum[i] / members[i] + off[first]
 }
 
 function crossings(   at, i, j, a, b, n, m, u, v, sum) {
@@ -140,7 +159,7 @@ function order_layers(   sweep, step, at, i, best, now, key) {
     for (sweep = 0; sweep < 400; sweep++)
         for (step = 1; step <= layers; step++) {
             at = sweep % 2 ? layers + 1 - step : step
-            for (i = 1; i <= size[at]; i++) want[row[at, i]] = mean_of(above[row[at, i]] below[row[at, i]], x[row[at, i]])
+            for (i = 1; i <= size[at]; i++) want[row[at, i]] = straight(row[at, i])
             place_layer(at)
         }
 }
@@ -157,19 +176,26 @@ function draw_box(name, left, top, wide, most,   middle, words, n, i, line, line
     for (i = 1; i <= n; i++)
         if (lines && length(line[lines] " " words[i]) <= most) line[lines] = line[lines] " " words[i]
         else line[++lines] = words[i]
-    printf "<rect class=\"%s\" x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" rx=\"8\"/>\n", name == ground ? "ground" : home[name], left, top, wide, HIGH
+    printf "<rect class=\"%s\" x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\" rx=\"8\"/>\n", ground[name] ? "ground" : home[name], left, top, wide, HIGH
     draw_text("name", middle, top + 30 - 7 * lines + 5, name)
     for (i = 1; i <= lines; i++) draw_text("about", middle, top + 30 - 7 * lines + 8 + 15 * i, line[i])
 }
 
-function draw_way(nodes,   list, n, i, path, top, bottom) {
+# Where a line meets a box: the lines of one side are spread over it, in the order of what they lead to.
+function port(node, list, other,   n, nodes, i, place) {
+    if (node ~ /^\./) return x[node]
+    n = split(list, nodes, " ")
+    for (i = 1; i <= n; i++) place += x[nodes[i]] < x[other]
+    return x[node] + (place - (n - 1) / 2) * min(40, (BOX - 60) / max(1, n - 1))
+}
+
+function draw_way(nodes,   list, n, i, path, top, from, to) {
     n = split(nodes, list, " ")
-    path = sprintf("M%.0f %.0f", x[list[1]], y_of(layer[list[1]]) + HIGH)
-    for (i = 2; i <= n; i++) {
-        top = y_of(layer[list[1]] + i - 2) + HIGH
-        bottom = y_of(layer[list[1]] + i - 1)
-        path = path sprintf(" C%.0f %.0f %.0f %.0f %.0f %.0f", x[list[i - 1]], top + GAP / 2, x[list[i]], bottom - GAP / 2, x[list[i]], bottom)
-        if (i < n) path = path sprintf(" V%.0f", bottom + HIGH)
+    for (i = 1; i < n; i++) {
+        top = y_of(layer[list[1]] + i - 1) + HIGH
+        from = port(list[i], below[list[i]], list[i + 1])
+        to = port(list[i + 1], above[list[i + 1]], list[i])
+        path = path sprintf("%s%.0f %.0f C%.0f %.0f %.0f %.0f %.0f %.0f", i == 1 ? "M" : " L", from, top, from, top + GAP * 0.6, to, top + GAP * 0.4, to, top + GAP)
     }
     printf "<path d=\"%s\"/>\n", path
 }
@@ -184,14 +210,15 @@ END {
     order_layers()
     low = 1e9
     high = -1e9
-    for (i = 1; i <= count; i++) if (rooms[i] != ground) {
+    for (i = 1; i <= count; i++) if (!ground[rooms[i]]) {
         low = min(low, x[rooms[i]] - BOX / 2)
         high = max(high, x[rooms[i]] + BOX / 2)
     }
     for (node in x) { low = min(low, x[node] - 10); high = max(high, x[node] + 10) }
     for (node in x) x[node] += 24 - low
     width = high - low + 48
-    height = y_of(layers + 1) + HIGH + 24
+    for (i = 1; i <= count; i++) grounds += ground[rooms[i]]
+    height = y_of(layers + 1) + grounds * (HIGH + 10) + 14
     printf "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" height=\"%.0f\">\n", width, height, width, height
     print "<title>The rooms of planula: each includes those that a line leads down to</title>"
     print "<style>"
@@ -201,7 +228,7 @@ END {
     print "</style>"
     printf "<rect width=\"%.0f\" height=\"%.0f\" fill=\"white\"/>\n", width, height
     for (i = 1; i <= ways; i++) draw_way(way[i])
-    for (i = count; i >= 1; i--) if (rooms[i] != ground) draw_box(rooms[i], x[rooms[i]] - BOX / 2, y_of(layer[rooms[i]]), BOX, 34)
-    if (ground != "") draw_box(ground, 24, y_of(layers + 1), width - 48, 90)
+    for (i = count; i >= 1; i--) if (!ground[rooms[i]]) draw_box(rooms[i], x[rooms[i]] - BOX / 2, y_of(layer[rooms[i]]), BOX, 34)
+    for (i = 1; i <= count; i++) if (ground[rooms[i]]) draw_box(rooms[i], 24, y_of(layers + 1) + --grounds * (HIGH + 10), width - 48, 90)
     print "</svg>"
 }
