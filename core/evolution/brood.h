@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How a search that keeps individuals makes a generation of them: children by NEAT's crossover and mutation
-// (evolution/breed.h), without species and without unchanged copies, since those who are kept need not live
-// again. All children are one species, the first of the run, so that tables keep their meaning.
+// (evolution/breed.h), without species and without unchanged copies, since individuals that are kept need not be
+// simulated again. All children are one species, the first of the run, so that tables keep their meaning.
 #pragma once
 
 #include "evolution/breed.h"
@@ -9,13 +9,13 @@
 
 namespace planula {
 
-/// Those who have lived and are kept, side by side.
+/// Evaluated individuals that are kept.
 struct Elites {
     std::vector<Genome> genomes;
     std::vector<Evaluation> evaluations;
 
     std::size_t size() const { return genomes.size(); }
-    /// What an invalid one did is forgotten.
+    /// Of an invalid individual the evaluation is not kept.
     void add(const Genome &genome, const Evaluation &evaluation);
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What evolution is told about an individual. The evolution room knows genomes and evaluations, never an
-// animat.
+// What evolution is told about an individual: it knows genomes and evaluations, never an animat.
 #pragma once
 
 #include "base/state.h"

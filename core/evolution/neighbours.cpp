@@ -11,7 +11,7 @@ namespace planula {
 namespace {
 
 constexpr std::size_t leaf_size = 16;
-// So many latecomers are looked through one by one before the tree is built again.
+// The number of points outside the tree after which it is built again.
 std::size_t patience(std::size_t in_tree) { return 64 + in_tree / 32; }
 
 } // namespace
@@ -99,7 +99,7 @@ void PointIndex::offer(int branch, std::span<const double> place, std::size_t fi
                            first_index + sorted_[at]});
         return;
     }
-    // The nearer half first: it may spare the other.
+    // The nearer half first: then the other is often passed over.
     std::pair near(squared_distance_to(branches_[here.lower], place), here.lower);
     std::pair far(squared_distance_to(branches_[here.upper], place), here.upper);
     if (far < near) std::swap(near, far);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The archive of novelty search and what it is for: neighbours in the space of behaviours (Lehman & Stanley
+// The archive of novelty search and its use: neighbours in the space of behaviours (Lehman & Stanley
 // 2011; §2.7.2; decision 0014). An invalid individual is as if it did not exist.
 //
 // The archive's threshold follows the pressure on it: a long unbroken run of additions raises it, a long time
@@ -45,7 +45,7 @@ class NoveltyArchive {
     /// check_behaviours() does.
     std::vector<std::vector<Neighbour>> neighbours(std::span<const Evaluation> evaluations);
 
-    /// Takes in the individuals of a generation whose novelty lies above the threshold.
+    /// Adds the individuals of a generation whose novelty is above the threshold.
     void extend(const Population &population, std::span<const Evaluation> evaluations,
                 std::span<const double> novelty);
 

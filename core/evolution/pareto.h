@@ -10,7 +10,7 @@
 
 namespace planula {
 
-/// The objectives of one solution; none if it is not feasible. All feasible ones have as many.
+/// The objectives of one solution; empty if it is not feasible. All feasible solutions have the same number.
 using Objectives = std::vector<double>;
 
 /// Constrained domination (§VI.A): a feasible solution dominates one that is not; of two feasible ones, one

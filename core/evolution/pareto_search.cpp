@@ -52,7 +52,7 @@ Population ParetoSearch::next(const Population &population, std::span<const doub
                               const NetworkShape &shape, std::uint64_t seed) const {
     std::vector<double> ranks;
     for (std::size_t left = kept_.size(); left > 0; --left) ranks.push_back(static_cast<double>(left));
-    // Of two drawn, the one of higher rank, which stands before.
+    // Of two drawn, the one of higher rank, which comes first in kept_.
     const auto tournament = [&](Stream &stream) {
         const auto size = static_cast<std::uint32_t>(kept_.size());
         const std::uint32_t one = stream.below(size), other = stream.below(size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A population in species, and the one that a run starts with (§2.7; decision 0013). The next one is made
-// of it by evolution/reproduce.h.
+// A population in species, and the first one of a run (§2.7; decision 0013). evolution/reproduce.h makes the next one
+// from it.
 //
 // Slot order is the order of everything: species in list order, members as placed. genomes[i] is slot i.
 #pragma once

@@ -30,17 +30,17 @@ class Search {
     virtual Population next(const Population &population, std::span<const double> scores,
                             const NetworkShape &shape, std::uint64_t seed) const = 0;
 
-    /// Those of earlier generations that may still have children.
+    /// The individuals of earlier generations that may still have children.
     virtual std::span<const Genome> kept_genomes() const { return {}; }
     /// Whether the search has an archive.
     virtual bool keeps_archive() const { return false; }
     /// The archive so far, in order of entry; it only grows.
     virtual std::span<const ArchiveEntry> archive() const { return {}; }
-    /// The novelty that the archive asks for at present; 0 for searches that ask for none.
+    /// The novelty that is needed to enter the archive now; 0 for searches without such a threshold.
     virtual double archive_threshold() const { return 0; }
 
-    /// All that the search remembers but archive(), which grows too large to be saved again and again. `population` is
-    /// the run's, to live next.
+    /// All that the search remembers except archive(), which grows too large to be saved each time. `population` is
+    /// the run's, to be evaluated next.
     virtual void save(const Population &population, StateWriter &writer) const = 0;
     /// Resumes where save() was called, in a search of the same name and parameters; `population` and `archive` are as
     /// they were there. Throws InputError, and must not be used any more, if the state is not sound.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who lives with whom: how newborns find their species (§2.7.1; decision 0013).
+// How children are placed in species (§2.7.1; decision 0013).
 //
 // A generation is born child by child with add_child() and ended by settle(). In between, a genome's place is
 // its order of birth, and each species is represented by a genome of the generation before, or by its

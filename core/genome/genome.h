@@ -32,7 +32,7 @@ struct LinkGene {
     bool operator==(const LinkGene &) const = default;
 };
 
-/// How a genome came to be: the operator that made it and its parents' ids (-1 where there is none).
+/// The operator that made a genome and the ids of its parents (-1 where there is no parent).
 enum class Origin : std::uint8_t {
     initial,
     champion,

@@ -21,7 +21,7 @@ bool mutate_weights(const NeatParameters &parameters, Stream &stream, Genome &ge
 
 /// Splits a link that does not come from the bias: into the new node with weight 1, out of it with the old
 /// weight. Fails if no such link is drawn. An acyclic network (not `recurrent`) also refuses a link whose
-/// ends are so close in depth that no double lies between them.
+/// ends are so close in depth that there is no double between them.
 bool add_node(const NeatParameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
               Genome &genome);
 

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(a_distance_equal_to_the_threshold_is_compatible) {
     BOOST_TEST(population.species[0].members.size() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(a_stranger_founds_a_species_at_the_end_and_represents_it) {
+BOOST_AUTO_TEST_CASE(a_child_far_from_all_founds_a_species_at_the_end_and_represents_it) {
     const NeatParameters parameters;
     Population population = waiting();
     const std::int64_t first = population.next_genome;
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(a_stranger_founds_a_species_at_the_end_and_represents_it) {
     BOOST_TEST(population.next_species == 3);
 }
 
-BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_born) {
+BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_complete) {
     const NeatParameters parameters;
     Population population = waiting();
     add_child(parameters, population, with_weight(-3, population.innovations)); // 4.5 from 0
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_born
     BOOST_TEST(population.species[0].age == 9);
 }
 
-BOOST_AUTO_TEST_CASE(settling_orders_slots_by_species_and_drops_the_empty) {
+BOOST_AUTO_TEST_CASE(completing_a_generation_orders_slots_by_species_and_drops_the_empty) {
     const NeatParameters parameters;
     Population population = populations::of({{0}, {7}, {3}});
     for (auto &species : population.species) species.members.clear();
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_deficit_is_filled_with_copies_of_the_first_species_first_
     }
 }
 
-BOOST_AUTO_TEST_CASE(no_children_or_too_many_are_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(no_children_or_too_many_are_an_internal_error) {
     const NeatParameters parameters;
     Population population = waiting();
     BOOST_CHECK_THROW(settle(2, population), InternalError);
