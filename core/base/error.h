@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of error that end a command, each with the exit code that main() returns for it. What happens to
-// an animat is never an error but an Outcome.
+// The kinds of error that end a command, each with the exit code that main() returns for it. What happens to an animat
+// is never an error but an Outcome.
 #pragma once
 
 #include <stdexcept>

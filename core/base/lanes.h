@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Numbers side by side: `width` floats or doubles on which one instruction works at once, so that a law written as
-// a template on its number type serves one number and many. The only file with vector extensions and
-// intrinsics. Every operation rounds each lane as IEEE 754 says (no reciprocal estimates, no fused
-// multiply-add), so a lane's result does not depend on the width. The types are internal to each file that
-// includes this: files built for different instruction sets share no code through the linker.
+// Numbers side by side: `width` floats or doubles on which one instruction works at once, so that a law written as a
+// template on its number type serves one number and many. The only file with vector extensions and intrinsics. Every
+// operation rounds each lane as IEEE 754 says (no reciprocal estimates, no fused multiply-add), so a lane's result does
+// not depend on the width. The types are internal to each file that includes this: files built for different
+// instruction sets share no code through the linker.
 #pragma once
 
 #include <utility>
@@ -22,8 +22,8 @@ template <class Number, int width> struct VectorOf {
 };
 template <class Number> struct VectorOf<Number, 1> { using Type = Number; };
 
-// What the compilers' vectors do not offer, or not in one instruction. Of two numbers that do not compare the
-// second is greater and less: as in std::max(second, first) and std::min.
+// What the compilers' vectors do not offer, or not in one instruction. Of two numbers that do not compare the second is
+// greater and less: as in std::max(second, first) and std::min.
 inline float root_of(float a) { return __builtin_sqrtf(a); }
 inline float greater_of(float a, float b) { return a > b ? a : b; }
 inline float lesser_of(float a, float b) { return a < b ? a : b; }

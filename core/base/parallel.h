@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The only threads of the core: independent tasks handed out one by one. A crew works at several jobs at once. Each job
-// alternates between serial work and sharing out tasks; while one job is serial, or waits for its last task, the threads do
-// tasks of the others.
+// alternates between serial work and sharing out tasks; while one job is serial, or waits for its last task, the
+// threads do tasks of the others.
 #pragma once
 
 #include <condition_variable>
@@ -16,8 +16,8 @@ class Crew {
   public:
     explicit Crew(int threads) : threads_(threads) {}
 
-    /// Calls job(0) … job(count - 1) on the crew's threads, the calling one among them; returns when all are done.
-    /// Jobs begin in order, and a further one only when a thread finds no task to do. After a job has thrown no other
+    /// Calls job(0) … job(count - 1) on the crew's threads, the calling one among them; returns when all are done. Jobs
+    /// begin in order, and a further one only when a thread finds no task to do. After a job has thrown no other
     /// begins; when those that have begun are done, its exception is thrown again here.
     void work(int count, const std::function<void(int)> &job);
     /// Called by job number `job`, one call at a time: calls task(0) … task(count - 1), each once, on any of the
@@ -49,8 +49,8 @@ class Crew {
     std::exception_ptr failure_; // the first
 };
 
-/// Calls task(0) … task(count - 1), each once, on up to `threads` threads; returns when all are done. Tasks
-/// must not depend on each other. If tasks throw, the exception of the lowest index is thrown again here.
+/// Calls task(0) … task(count - 1), each once, on up to `threads` threads; returns when all are done. Tasks must not
+/// depend on each other. If tasks throw, the exception of the lowest index is thrown again here.
 void parallel_for(int count, int threads, const std::function<void(int)> &task);
 
 /// Who does the tasks of a job: threads of its own, or a crew that it shares with others. Nothing depends on which.

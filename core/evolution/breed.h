@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How one child is made: its parents, their crossover, its mutation, and the rules against clones and dead ends (§2.7.1;
-// decision 0013).
+// How one child is made: its parents, their crossover, its mutation, and the rules against clones and dead ends
+// (§2.7.1; decision 0013).
 #pragma once
 
 #include "base/random.h"
@@ -24,8 +24,8 @@ using ParentDraw = std::function<int(Stream &)>;
 /// The champion of a species, unchanged.
 Genome copy_champion(const Parents &parents, const Species &species);
 
-/// A child of this species, different from all its `siblings` if clone_tries tries can make it so. It has no
-/// id yet. Innovations are recorded for rejected tries, too.
+/// A child of this species, different from all its `siblings` if clone_tries tries can make it so. It has no id yet.
+/// Innovations are recorded for rejected tries, too.
 Genome breed(const Parents &parents, const Species &species, std::span<const Genome> siblings, bool recurrent,
              const NeatParameters &parameters, Innovations &innovations, Stream &stream);
 

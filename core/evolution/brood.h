@@ -21,12 +21,12 @@ struct Elites {
 
 /// The innovations are those of the run.
 void save(const Elites &elites, const Innovations &innovations, StateWriter &writer);
-/// Throws InputError unless sound genomes, of the population's shape and made of its innovations, and evaluations come next.
+/// Throws InputError unless sound genomes, of the population's shape and made of its innovations, and evaluations come
+/// next.
 Elites load_elites(const Population &population, StateReader &reader);
 
-/// The generation after `population`: parameters.population children of `parents`, each parent drawn by
-/// `draw`. There is at least one parent, all have the shape of the population's genomes, and
-/// Parents::species is empty.
+/// The generation after `population`: parameters.population children of `parents`, each parent drawn by `draw`. There
+/// is at least one parent, all have the shape of the population's genomes, and Parents::species is empty.
 Population brood(const Population &population, const Parents &parents, const ParentDraw &draw, bool recurrent,
                  const NeatParameters &parameters, std::uint64_t seed);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The nearest points of a growing set: a k-d tree (Bentley 1975, Friedman, Bentley & Finkel 1977) and a list of points that
-// were added later; the tree is built again when they have become many. No point is ever removed.
+// The nearest points of a growing set: a k-d tree (Bentley 1975, Friedman, Bentley & Finkel 1977) and a list of points
+// that were added later; the tree is built again when they have become many. No point is ever removed.
 //
 // The answer is that of a search through all points, to the bit: order is by squared distance, summed over the
-// coordinates from first to last, and among equals by index. A branch of the tree is passed over only if its
-// box is farther than the last neighbour; the distance to the box is summed in the same order, and rounding is
-// monotonic, so that it never exceeds the computed distance of a point inside.
+// coordinates from first to last, and among equals by index. A branch of the tree is passed over only if its box is
+// farther than the last neighbour; the distance to the box is summed in the same order, and rounding is monotonic, so
+// that it never exceeds the computed distance of a point inside.
 #pragma once
 
 #include <compare>

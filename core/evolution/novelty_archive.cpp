@@ -84,8 +84,8 @@ void NoveltyArchive::load(StateReader &reader, std::span<const ArchiveEntry> ent
     reader.group("archive");
     threshold_ = reader.finite();
     if (threshold_ < 0) reader.refuse("a threshold is below 0");
-    // Counts that go on must not overflow: a run of additions is far from half of what fits, and the quiet
-    // generations start again at the patience.
+    // Counts that go on must not overflow: a run of additions is far from half of what fits, and the quiet generations
+    // start again at the patience.
     run_ = static_cast<int>(reader.integer(0, largest / 2));
     quiet_ = static_cast<int>(reader.integer(0, parameters_.archive_patience - 1));
     length_ = static_cast<std::size_t>(reader.integer(0, largest));

@@ -41,8 +41,8 @@ struct NetworkShape {
     bool recurrent = false;
 };
 
-/// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2), placed in
-/// species one after the other.
+/// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2), placed in species one
+/// after the other.
 Population initial_population(const NetworkShape &shape, const NeatParameters &parameters,
                               std::uint64_t seed);
 

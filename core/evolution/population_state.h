@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A population as saved state (base/state.h), between two generations: born and settled in its slots, not yet
-// evaluated. What is loaded is whole: genomes, species and innovations agree with each other and with the
-// shape of the networks, so that breeding from it breaks no promise.
+// evaluated. What is loaded is whole: genomes, species and innovations agree with each other and with the shape of the
+// networks, so that breeding from it breaks no promise.
 #pragma once
 
 #include "base/state.h"

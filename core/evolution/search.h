@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The interface of all searches: what is rewarded, and who has offspring. A search turns the evaluations of a generation
-// into scores and makes the next generation, either from that one alone, by NEAT's epoch (evolution/reproduce.h), or from
-// individuals that it has kept (evolution/brood.h). Crossover and mutation are the same for all (evolution/breed.h).
+// The interface of all searches: what is rewarded, and who has offspring. A search turns the evaluations of a
+// generation into scores and makes the next generation, either from that one alone, by NEAT's epoch
+// (evolution/reproduce.h), or from individuals that it has kept (evolution/brood.h). Crossover and mutation are the
+// same for all (evolution/breed.h).
 //
 // A new search is one file, <name>_search.cpp, and its line in evolution/searches.inl.
 #pragma once
@@ -25,8 +26,8 @@ class Search {
     /// One score per individual, in slot order; called once per generation, in order.
     virtual std::vector<double> score(const Population &population,
                                       std::span<const Evaluation> evaluations) = 0;
-    /// The generation after this one, whose `scores` are those of the last call of score(). All chance comes
-    /// from one stream per child: (seed; new generation, order of birth, reproduction).
+    /// The generation after this one, whose `scores` are those of the last call of score(). All chance comes from one
+    /// stream per child: (seed; new generation, order of birth, reproduction).
     virtual Population next(const Population &population, std::span<const double> scores,
                             const NetworkShape &shape, std::uint64_t seed) const = 0;
 
@@ -39,8 +40,8 @@ class Search {
     /// The novelty that is needed to enter the archive now; 0 for searches without such a threshold.
     virtual double archive_threshold() const { return 0; }
 
-    /// All that the search remembers except archive(), which grows too large to be saved each time. `population` is
-    /// the run's, to be evaluated next.
+    /// All that the search remembers except archive(), which grows too large to be saved each time. `population` is the
+    /// run's, to be evaluated next.
     virtual void save(const Population &population, StateWriter &writer) const = 0;
     /// Resumes where save() was called, in a search of the same name and parameters; `population` and `archive` are as
     /// they were there. Throws InputError, and must not be used any more, if the state is not sound.
