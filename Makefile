@@ -31,6 +31,8 @@ export LC_ALL := C.UTF-8
 export TZ := UTC
 export SOURCE_DATE_EPOCH := 1450310400
 export FORCE_SOURCE_DATE := 1
+# Asked when a recipe runs, since `deps` may have just installed it.
+export CMAKE_GENERATOR = $(if $(shell command -v ninja),Ninja,Unix Makefiles)
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DELETE_ON_ERROR:
@@ -211,7 +213,7 @@ clean: ## remove build/, runs included
 	@rm -rf build
 
 ##@ System packages (Debian 12; the other targets install what they need)
-BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev liblzma-dev
+BUILD_PACKAGES = g++ cmake make ninja-build pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev liblzma-dev
 PAPER_PACKAGES = gnuplot-nox texlive-latex-base texlive-latex-recommended texlive-luatex lmodern
 
 deps: ## install the packages to build and test
