@@ -24,7 +24,8 @@ std::vector<double> genotypic_diversity(const Elites &pool, const NeatParameters
 
 } // namespace
 
-std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool, const Neighbours &neighbours,
+std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool,
+                                                           const NeighbourLists &neighbours,
                                                            const NoveltyArchive &archive) const {
     const auto fitness = [&](std::size_t index) {
         return index < pool.size() ? pool.evaluations[index].fitness

@@ -17,7 +17,7 @@ class LocalCompetitionSearch final : public ParetoSearch {
 
     /// Novelty × penalty; the number of neighbours, the same that novelty is measured by, with lower fitness; the mean
     /// distance δ (genome/distance.h) to the valid others of the pool.
-    std::vector<Objectives> objectives(const Elites &pool, const Neighbours &neighbours,
+    std::vector<Objectives> objectives(const Elites &pool, const NeighbourLists &neighbours,
                                        const NoveltyArchive &archive) const override;
     std::vector<double> diversity(std::span<const Objectives> objectives,
                                   std::span<const int> front) const override;

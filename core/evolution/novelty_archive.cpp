@@ -35,7 +35,7 @@ std::vector<std::vector<Neighbour>> NoveltyArchive::neighbours(std::span<const E
         if (!evaluations[self].valid()) continue;
         const auto &place = evaluations[self].behaviour;
         // The archive first: after it few of the others are near enough to be sorted in.
-        Nearest nearest(parameters_.novelty_neighbours);
+        NearestNeighbours nearest(parameters_.novelty_neighbours);
         index_.offer(place, evaluations.size(), nearest);
         for (std::size_t other = 0; other < evaluations.size(); ++other)
             if (other != self && evaluations[other].valid())

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "evolution/evaluation.h"
-#include "evolution/neighbours.h"
+#include "evolution/nearest_neighbours.h"
 #include "evolution/population.h"
 
 #include <cstdint>

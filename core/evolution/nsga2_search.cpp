@@ -3,7 +3,7 @@
 
 namespace planula {
 
-std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const Neighbours &neighbours,
+std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const NeighbourLists &neighbours,
                                                 const NoveltyArchive &) const {
     std::vector<Objectives> result(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i) {

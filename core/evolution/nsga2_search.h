@@ -13,7 +13,7 @@ class Nsga2Search final : public ParetoSearch {
     explicit Nsga2Search(const Parameters &parameters) : ParetoSearch("nsga2 search", parameters) {}
 
     /// Fitness, in which the penalty is already contained, and novelty × penalty.
-    std::vector<Objectives> objectives(const Elites &pool, const Neighbours &neighbours,
+    std::vector<Objectives> objectives(const Elites &pool, const NeighbourLists &neighbours,
                                        const NoveltyArchive &archive) const override;
     std::vector<double> diversity(std::span<const Objectives> objectives,
                                   std::span<const int> front) const override;

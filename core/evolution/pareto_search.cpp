@@ -15,7 +15,7 @@ std::vector<double> ParetoSearch::score(const Population &population,
         pool.add(population.genomes[slot], evaluations[slot]);
 
     // Rank all by the archive as it is; only then do the new ones enter it.
-    const Neighbours neighbours = archive_.neighbours(pool.evaluations);
+    const NeighbourLists neighbours = archive_.neighbours(pool.evaluations);
     const std::vector<int> order = ranked(objectives(pool, neighbours, archive_));
     std::vector<double> novelties;
     for (std::size_t i = kept_.size(); i < pool.size(); ++i) novelties.push_back(novelty(neighbours[i]));

@@ -39,9 +39,9 @@ class ParetoSearch : public Search {
     ParetoSearch(std::string name, const Parameters &parameters)
         : neat_(parameters.neat), name_(std::move(name)), archive_(parameters.novelty) {}
 
-    using Neighbours = std::vector<std::vector<Neighbour>>;
+    using NeighbourLists = std::vector<std::vector<Neighbour>>;
     /// Of each valid individual of the pool, whose neighbours are those of NoveltyArchive::neighbours().
-    virtual std::vector<Objectives> objectives(const Elites &pool, const Neighbours &neighbours,
+    virtual std::vector<Objectives> objectives(const Elites &pool, const NeighbourLists &neighbours,
                                                const NoveltyArchive &archive) const = 0;
     /// What decides within a front, the higher the better; there is at least one objective.
     virtual std::vector<double> diversity(std::span<const Objectives> objectives,

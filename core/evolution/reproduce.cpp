@@ -131,7 +131,7 @@ Population reproduce(const Population &population, std::span<const double> score
                                  : breed(parents, species[each], next.genomes, recurrent, parameters,
                                          next.innovations, stream));
         }
-    settle(parameters.population, next);
+    complete_generation(parameters.population, next);
     return next;
 }
 

@@ -15,7 +15,14 @@ part == "files" {
     sub(/^.*\//, "", name)
     named[name] = 1
     while (sub(/\/[^\/]*$/, "", folder)) file[folder] = file[folder "/"] = 1
-    for (name = $0; sub(/^[^\/]*\//, "", name);) ending[name] = 1
+    for (ends = $0; sub(/^[^\/]*\//, "", ends);) ending[ends] = 1
+    # The executable of a test file (tests/CMakeLists.txt).
+    if (sub(/_test\.cpp$/, "", name)) {
+        name = $0
+        gsub(/^tests\/((core|scripting)\/)?|_test\.cpp$/, "", name)
+        gsub(/\//, "_", name)
+        word["test_" name] = 1
+    }
     if (match($0, /^paper\/decisions\/[0-9]+/)) decision[substr($0, RSTART + 16, RLENGTH - 16)] = 1
     sub(/\/.*/, "")
     top[$0] = 1
@@ -181,6 +188,11 @@ fence == "sh" {
     next
 }
 fence != "" { next }
+# What the reader of a page is to make: <!-- new: NAME … -->.
+/^<!-- new: / {
+    for (i = 3; i < NF; i++) file[$i] = word[$i] = said[$i] = named[$i] = 1
+    next
+}
 {
     check_decisions($0)
     line = $0

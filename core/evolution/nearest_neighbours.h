@@ -29,9 +29,9 @@ inline double squared_distance(std::span<const double> a, std::span<const double
 }
 
 /// The k first of the neighbours offered, in ascending order.
-class Nearest {
+class NearestNeighbours {
   public:
-    explicit Nearest(int k) : k_(static_cast<std::size_t>(k)) {}
+    explicit NearestNeighbours(int k) : k_(static_cast<std::size_t>(k)) {}
 
     void offer(Neighbour neighbour) {
         if (open_to(neighbour.squared)) insert(neighbour);
@@ -55,7 +55,7 @@ class PointIndex {
     /// Adds a finite point; all have one length, at least 1. Its index is the number of those before it.
     void add(std::span<const double> point);
     /// Offers the nearest points to a place, their indices counted from `first_index`.
-    void offer(std::span<const double> place, std::size_t first_index, Nearest &nearest) const;
+    void offer(std::span<const double> place, std::size_t first_index, NearestNeighbours &nearest) const;
 
   private:
     /// Points begin … end - 1 of the tree, in a box; a leaf has no branches.
@@ -68,7 +68,8 @@ class PointIndex {
     int build(std::size_t begin, std::size_t end);
     std::size_t enclose(std::size_t begin, std::size_t end);
     double squared_distance_to(const Branch &branch, std::span<const double> place) const;
-    void offer(int branch, std::span<const double> place, std::size_t first_index, Nearest &nearest) const;
+    void offer(int branch, std::span<const double> place, std::size_t first_index,
+               NearestNeighbours &nearest) const;
 
     std::size_t dimensions_ = 0;
     std::vector<double> points_;      // in order of index
