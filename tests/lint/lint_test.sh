@@ -56,7 +56,7 @@ TXT
     printf '# SPDX-License-Identifier: MIT\nclean: ## removes\nSEEDS ?= 1\n' > "$project/Makefile"
     printf '%s\n' '# Read me' 'See `core/genome/genome.h`, [a page](paper/decisions/0001-land.md) (decision 0001), `gravity`, `make clean SEEDS=2`,' \
         '`planula run core/base/math.h --seeds 1`, `grow()` and `tests/core/<room>/*_test.cpp`.' '```sh' 'cp core/base/math.h core/base/mine.h   # not `core/none.h`' \
-        'build/planula run core/base/mine.h' '```' > "$project/README.md"
+        'build/planula run core/base/mine.h' '```' '<!-- new: core/base/new.h -->' 'Make `core/base/new.h`.' > "$project/README.md"
     printf '%s\n' '# Changelog' '## New' '`core/old.h` is gone.' '## Old' '`core/older.h`' > "$project/CHANGELOG.md"
     mkdir -p "$project/tests/core/base"
     printf '// SPDX-License-Identifier: MIT\n// See genome/genome.h, base/math.h. Like file.lua (decision 0001).\n' > "$project/tests/core/base/math_test.cpp"
