@@ -23,6 +23,13 @@ std::vector<std::string_view> search_names() {
     return names;
 }
 
+std::string search_scores() {
+    std::string text;
+    for (const SearchRow &row : search_rows())
+        text += (text.empty() ? "" : "; ") + std::string(row.name) + ": " + std::string(row.score);
+    return text;
+}
+
 std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters) {
     std::string known;
     for (const SearchRow &row : search_rows()) {

@@ -57,6 +57,8 @@ struct SearchRow {
 
 std::span<const SearchRow> search_rows();
 std::vector<std::string_view> search_names();
+/// What each search rewards: "neat: fitness; novelty: …".
+std::string search_scores();
 /// Throws InputError with the nearest name if there is no such search.
 std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters);
 

@@ -59,6 +59,7 @@ BOOST_AUTO_TEST_CASE(every_name_makes_its_search) {
         BOOST_TEST(!row.score.empty());
         BOOST_TEST(make_search(row.name, Parameters())->archive().empty());
     }
+    BOOST_TEST(search_scores().starts_with("neat: fitness; novelty: "));
     BOOST_TEST(!reads_behaviour("neat"));
     for (const auto name : {"novelty", "nsga2", "nslc", "map-elites"}) BOOST_TEST(reads_behaviour(name));
     BOOST_TEST(make_search("novelty", Parameters())->archive_threshold() == 0.5);
