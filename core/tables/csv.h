@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tables as RFC 4180 text: a header, one line per row, a line feed after each. Numbers are the shortest text
-// that reads back to the same bits, whatever the locale. A number that is not finite is never written: that
-// is an error of the program. Texts with a line break or NUL are refused, as the tables must open in
+// that reads back to the same bits, whatever the locale. A number that is not finite is never written: it is
+// an InternalError. Texts with a line break or NUL are refused, as the tables must open in
 // R, pandas and gnuplot alike.
 //
 // TableWriter and TableReader know a table by its row type (tables/columns.h); CsvReader and to_field()

@@ -111,7 +111,7 @@ function check_comment(text,   rest, path) {
         rest = substr(rest, RSTART + RLENGTH)
         sub(/[^A-Za-z0-9_*>-]+$/, "", path)
         # Neither what is made, nor placeholders.
-        if (path ~ /^[.\/$<]|^build\/|^script\/|^file\.|^[A-Z]+\./) continue
+        if (path ~ /^[.\/$<]|^build\/|^script\/|^(file|script)\.|^[A-Z]+\./) continue
         if (!(path in ending) && !(path in named) && !has_file(path) && !has_file("*/" path)) report("the comment names " path ", which does not exist")
     }
 }
@@ -175,7 +175,7 @@ function check_span(span,   list, n, i) {
 # ---- The pages -------------------------------------------------------------------------------------------------------
 FNR == 1 { fence = ""; text = ""; sections = 0 }
 /^## / { sections++ }
-FILENAME == "CHANGELOG.md" && (sections > 1 || /(is|are) gone/) { next }
+FILENAME == "CHANGELOG.md" && (sections > 1 || /(is|are) gone|\((was )?`|, which was /) { next }
 /^ *```/ {
     fence = fence == "" ? substr($0, index($0, "```") + 3) : ""
     if (fence == "" ) next

@@ -41,20 +41,14 @@ function code_of(line,   code, c, two, i, quote) {
     return code
 }
 
-# An include of the project's own, "room/file.h" or "scripting/file.h": the file must exist, and the room that includes it
-# must list its room. Files that lie in scripting/ itself may include all rooms.
-function check_own(path,   target, file) {
-    file = path
-    sub(/^scripting\//, "", file)
-    target = file
+# An include of the project's own, "room/file.h": it must exist, and the room that includes it must list its room.
+function check_own(path,   target) {
+    target = path
     sub(/\/.*/, "", target)
-    if (target in depends) file = home[target] "/" file
-    else if (path ~ /^scripting\/[^\/]*$/) { file = path; target = "scripting" }
-    else { report("includes \"" path "\", which names no room"); return }
-    if (room == target || room == "scripting") ;
-    else if (index(" " depends[room] " ", " " target " ")) used[room, target] = 1
-    else report("room " room " includes \"" path "\", but " home[room] "/CMakeLists.txt does not list " target " in its DEPENDS")
-    if (!(file in exists)) report("includes \"" path "\", which does not exist")
+    if (!(target in depends)) { report("includes \"" path "\", which names no room"); return }
+    if (index(" " depends[room] " ", " " target " ")) used[room, target] = 1
+    else if (room != target) report("room " room " includes \"" path "\", but " home[room] "/CMakeLists.txt does not list " target " in its DEPENDS")
+    if (!((home[target] "/" path) in exists)) report("includes \"" path "\", which does not exist")
     if (path == "base/random.h" && !within("base genome evolution statistics experiment analysis"))
         report("room " room " draws random numbers; only base genome evolution statistics experiment analysis may")
 }
@@ -77,15 +71,15 @@ function report_room(name, message) {
 
 # An include of a system header.
 function check_system(header) {
-    if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !program && !within("record"))
-        report("<" header "> outside record and scripting: files are touched at the edge only")
+    if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !within("storage record language program"))
+        report("<" header "> outside storage, record, language and program: files are touched at the edge only")
     if (header ~ /^(thread|future|pthread\.h|omp\.h|execution)$/ && !is_file("core/base/parallel"))
         report("<" header "> outside base/parallel: the only threads are there")
     if (header ~ /^(random)$/) report("<random>: chance comes from the streams of base/random.h")
     if (header ~ /^([a-z]*intrin\.h|arm_neon\.h|arm_sve\.h|x86gprintrin\.h|experimental\/simd)$/ && !is_file("core/base/lanes"))
         report("<" header "> outside base/lanes: the only intrinsics are there")
-    if (header ~ /^(chrono|ctime|time\.h|sys\/time\.h)$/ && !program)
-        report("<" header "> in core: the library knows no clock")
+    if (header ~ /^(chrono|ctime|time\.h|sys\/time\.h)$/ && !within("language program"))
+        report("<" header "> outside language and program: nothing else knows a clock")
 }
 
 BEGIN {
@@ -124,11 +118,10 @@ FNR == 1 {
         for (i = 1; i < ARGC; i++) exists[ARGV[i]] = 1
     }
     split(FILENAME, parts, "/")
-    room = parts[1] == "core" || parts[2] in depends ? parts[2] : "scripting"
-    program = parts[1] == "scripting"
+    room = parts[2]
     in_comment = 0
     files++
-    if (parts[1] == "core" && !(room in depends)) report("lies in a folder without a room line in core/CMakeLists.txt")
+    if (home[room] != parts[1]) report("lies in a folder without a room line in " parts[1] "/CMakeLists.txt")
 }
 
 { code = code_of($0) }
@@ -146,15 +139,22 @@ code ~ qualified || (code ~ bare && !is_file("core/base/math")) {
 code ~ /std ?:: ?[a-z_]+_distribution|std ?:: ?(random_device|mt19937|minstd_rand|default_random_engine|shuffle|random_shuffle|sample)[^A-Za-z0-9_]|(^|[^A-Za-z0-9_:.>])s?rand(om)? ?\(/ {
     report("chance that differs between libraries: use a Stream of base/random.h")
 }
-code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !program {
-    report("environment or locale in core: results may depend on neither")
+code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !within("program") {
+    report("environment or locale outside program: results may depend on neither")
 }
 code ~ /(^|[^A-Za-z0-9_])(strto(d|f|ld|l|ul|ll|ull)|ato(f|i|l|ll)|sto(d|f|ld|i|l|ll|ul|ull)) ?\(/ && !is_file("core/base/text") {
     report("text to number by a function that follows the locale: use base/text.h")
 }
+# Errors cross between C++ and Lua in one place (language/gate.h).
+code ~ /(^|[^A-Za-z0-9_])catch *\(/ && room == "language" && !is_file("scripting/language/gate") {
+    report("an exception is caught outside language/gate.h: throw, and let the gate make a Lua error of it")
+}
+code ~ /lua_c?pcall *\(/ && parts[1] == "scripting" && !is_file("scripting/language/lua_state scripting/language/wrap_base") {
+    report("a protected call outside LuaState: use call() or inspect()")
+}
 
 END {
-    if (!rooms) { print "core/CMakeLists.txt: no room line found"; errors++ }
+    if (!rooms) { print "layering: no room line found"; errors++ }
     check_rooms()
     if (errors) { printf "layering: %d violations\n", errors; exit 1 }
     printf "layering: %d files in %d rooms include what their lines list, and all of it\n", files, rooms

@@ -9,9 +9,10 @@ set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"
 
 # Folders that hold no source yet are no error, a missing list of rooms is.
-[[ -f core/CMakeLists.txt ]] || { echo "layering: no core/CMakeLists.txt in $PWD" >&2; exit 2; }
-lists=(core/CMakeLists.txt)
-[[ ! -f scripting/CMakeLists.txt ]] || lists+=(scripting/CMakeLists.txt)
+lists=(core/CMakeLists.txt scripting/CMakeLists.txt)
+for list in "${lists[@]}"; do
+    [[ -f $list ]] || { echo "layering: no $list in $PWD" >&2; exit 2; }
+done
 mapfile -t sources < <(find core scripting -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inl' \) | LC_ALL=C sort)
 
 LC_ALL=C awk -f tests/lint/layering.awk "${lists[@]}" "${sources[@]}"

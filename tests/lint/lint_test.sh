@@ -65,7 +65,7 @@ TXT
     LC_ALL=C awk -f "$project/tests/lint/rooms.awk" "$project"/{core,scripting}/CMakeLists.txt > "$project/paper/rooms.svg"
     printf '#include <thread>\n' >> "$project/core/base/parallel.h"
     printf '#include <immintrin.h>\n' >> "$project/core/base/lanes.h"
-    printf '// SPDX-License-Identifier: MIT\n#include "physics/step.h"\n' > "$project/scripting/main.cpp"
+    printf '// SPDX-License-Identifier: MIT\n#include "record/write.h"\n' > "$project/scripting/program/main.cpp"
 }
 
 # passes LINT: the clean project passes.
@@ -106,38 +106,42 @@ catches layering.sh 'does not list physics' core/development/grow.cpp '#include 
 catches layering.sh 'does not list development' core/physics/step.h '#include "development/grow.h"'
 catches layering.sh 'does not list base' core/record/write.h '#include "base/math.h"'
 catches layering.sh 'does not list genome' scripting/language/state.h '#include "genome/genome.h"'
-catches layering.sh 'does not list program' scripting/language/state.h '#include "scripting/program/run.cpp"'
+catches layering.sh 'does not list program' scripting/language/state.h '#include "program/run.cpp"'
 catches layering.sh 'room statistics: lists base, but includes nothing of it' core/CMakeLists.txt 'room(statistics DEPENDS base)'
 catches layering.sh 'room tools: no room geometry stands above it' core/CMakeLists.txt 'room(tools DEPENDS geometry)\nroom(geometry)'
 catches layering.sh 'room view: lists record, but includes nothing of it' scripting/CMakeLists.txt 'room(view DEPENDS record)'
 catches layering.sh 'names no room' core/physics/step.h '#include "phisics/step.h"'
 catches layering.sh 'does not exist' core/physics/step.h '#include "base/vector.h"'
-catches layering.sh 'does not exist' scripting/main.cpp '#include "physics/missing.h"'
+catches layering.sh 'does not exist' scripting/program/main.cpp '#include "physics/missing.h"'
 catches layering.sh 'without a room line' core/attic/old.cpp 'int x;'
+catches layering.sh 'without a room line' scripting/old.cpp 'int x;'
+catches layering.sh 'without a room line' scripting/physics/old.cpp 'int x;'
 catches layering.sh 'draws random numbers' core/physics/step.h '#include "base/random.h"'
 
 # Headers with one home.
 for header in fstream iostream cstdio; do
-    catches layering.sh 'outside record and scripting' core/physics/step.h "#include <$header>"
+    catches layering.sh 'outside storage, record, language and program' core/physics/step.h "#include <$header>"
 done
 catches layering.sh 'outside base/parallel' core/record/write.h '#include <thread>'
-catches layering.sh 'outside base/parallel' scripting/main.cpp '  #  include <future>'
+catches layering.sh 'outside base/parallel' scripting/program/main.cpp '  #  include <future>'
 catches layering.sh 'outside base/lanes' core/physics/kernel.cpp '#include <immintrin.h>'
 catches layering.sh 'outside base/lanes' core/physics/kernel.cpp '#include <arm_neon.h>'
 catches layering.sh 'the streams of base/random.h' core/genome/genome.h '#include <random>'
-catches layering.sh 'no clock' core/record/write.h '#include <chrono>'
+catches layering.sh 'knows a clock' core/record/write.h '#include <chrono>'
 
 # Constructs.
 for call in 'std::sin(x)' 'std::exp (x)' 'std::pow(x, 2)' 'std::tanh(x)' 'std::log(x)' 'std::hypot(x, x)' '::cos(x)' 'sinf(x)' 'atan2(x, x)'; do
     catches layering.sh 'transcendental of libm' core/physics/step.h "inline double f(double x) { return $call; }"
 done
 catches layering.sh 'transcendental of libm' core/base/math.h 'inline double f(double x) { return std::exp(x); }'
-catches layering.sh 'transcendental of libm' scripting/main.cpp 'double f(double x) { return /* own */ std::exp(x); }'
+catches layering.sh 'transcendental of libm' scripting/program/main.cpp 'double f(double x) { return /* own */ std::exp(x); }'
 catches layering.sh 'a Stream of base/random.h' core/genome/genome.h 'std::normal_distribution<double> d;'
 catches layering.sh 'a Stream of base/random.h' core/genome/genome.h 'void f(int *a) { std::shuffle(a, a + 3, g); }'
-catches layering.sh 'a Stream of base/random.h' scripting/main.cpp 'int f() { return rand(); }'
+catches layering.sh 'a Stream of base/random.h' scripting/program/main.cpp 'int f() { return rand(); }'
 catches layering.sh 'environment or locale' core/record/write.h 'auto h = std::getenv("HOME");'
 catches layering.sh 'follows the locale' core/record/write.h 'double f(const char *s) { return std::strtod(s, nullptr); }'
+catches layering.sh 'outside language/gate.h' scripting/language/state.cpp 'void f() { try { g(); } catch (...) {} }'
+catches layering.sh 'outside LuaState' scripting/program/main.cpp 'int f(lua_State *L) { return lua_pcall(L, 0, 0, 0); }'
 
 # Texts.
 catches sources.sh 'no SPDX' core/physics/bare.cpp 'int x;'

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Draws the rooms of the CMakeLists.txt that it reads as an SVG: a box for each room line, with the comment above the line,
-# and a line down to each room that it includes and does not reach through another. Rooms that two of three include are the
+# and a line down to each room that it includes and does not reach through another. Rooms that three of five include are the
 # ground, without lines. Boxes lie in layers, each as high as the rooms above it allow (Sugiyama et al. 1981).
 
 function max(a, b) { return a > b ? a : b }
@@ -47,7 +47,7 @@ function find_layers(   i, j, any) {
                 layer[rooms[i]] = max(layer[rooms[i]], layer[rooms[j]] + 1)
                 any++
             }
-        ground[rooms[i]] = 3 * any >= 2 * (count - 1)
+        ground[rooms[i]] = 5 * any >= 3 * (count - 1)
         if (!ground[rooms[i]]) layers = max(layers, layer[rooms[i]])
     }
 }

@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(an_individual_without_children_that_is_not_kept_is_forgotte
     BOOST_TEST(mothers.of(child_of(7, 2))->cells == 30);
 }
 
-BOOST_AUTO_TEST_CASE(a_mother_who_never_lived_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(a_mother_that_was_never_simulated_is_an_internal_error) {
     Mothers mothers = three();
     BOOST_CHECK_THROW(mothers.keep(of({child_of(3, 9)}), {}), InternalError);
 }

@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(a_request_to_stop_ends_the_run) {
     BOOST_TEST(generations == 2);
 }
 
-BOOST_AUTO_TEST_CASE(a_judgement_that_is_no_number_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(a_judgement_that_is_not_finite_is_an_internal_error) {
     Spec spec = small("neat");
     spec.judge = [](const Life &) { return Evaluation{-1, {0, 0}, 1}; };
     BOOST_CHECK_THROW(run(spec, 1, 1, [](const Generation &) {}), InternalError);

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(one_value_or_equal_values_leave_no_width) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_sample_or_no_request_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(an_invalid_sample_or_request_is_an_internal_error) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     BOOST_CHECK_THROW(bootstrap_mean(std::vector<double>{}, usual), InternalError);
     BOOST_CHECK_THROW(bootstrap_mean(std::vector<double>{1, nan}, usual), InternalError);

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(the_test_is_symmetric) {
     BOOST_TEST(one.effect + other.effect == 1, tt::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(a_bound_without_room_or_no_sample_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(an_invalid_bound_or_sample_is_an_internal_error) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bound : {0.0, 0.5, -0.1, nan})
         BOOST_CHECK_THROW(equivalence(x, y, bound), InternalError);

@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_far_difference_has_the_smallest_p) {
     BOOST_TEST(found.p == found.least);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_sample_or_no_request_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(an_invalid_sample_or_request_is_an_internal_error) {
     BOOST_CHECK_THROW(permutation_test(x, std::vector<double>{}, usual), InternalError);
     BOOST_CHECK_THROW(permutation_test(x, y, {0, 1, 0}), InternalError);
 }
