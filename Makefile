@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Everything that planula does, as targets: `make help` lists them. Each target brings what it needs itself, down to the
-# system packages of a bare Debian 12; a second call with nothing to do takes seconds.
+# Everything that planula does, as targets: `make help` lists them. Each target makes or installs what it needs, on Debian 12
+# the system packages too; a second call with nothing to do takes seconds.
 
 # ---- What the caller may set -----------------------------------------------------------------------------------------
 SEEDS ?= 1:3
@@ -31,6 +31,8 @@ export LC_ALL := C.UTF-8
 export TZ := UTC
 export SOURCE_DATE_EPOCH := 1450310400
 export FORCE_SOURCE_DATE := 1
+# Asked when a recipe runs, since `deps` may have just installed it.
+export CMAKE_GENERATOR = $(if $(shell command -v ninja),Ninja,Unix Makefiles)
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DELETE_ON_ERROR:
@@ -56,18 +58,18 @@ test: deps build ## build everything and run all tests
 	@ctest --test-dir build -j $(JOBS) --output-on-failure --no-tests=error > build/test.log 2>&1 || true
 	@awk -f tests/support/summary.awk build/test.log
 
-smoke: ## the whole way from evolution to article on a tiny design, in build/smoke
+smoke: ## go all the way from evolution to the article with a tiny design, in build/smoke
 	@$(MAKE) OUT=build/smoke DATA=build/smoke/data SEEDS=1:2 POPULATION=16 GENERATIONS=3 paper
 	@echo 'smoke: PASS'
 
 ##@ Steps of the paper
-evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; interrupt at will, repeat to resume
+evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; may be interrupted, the same command resumes
 	@$(PLANULA) run $(EXPERIMENT) $(DESIGN) --out $(RUNS)
 
-data: program ## reduce the runs to the tables in build/data, every champion witnessed
+data: program ## reduce the runs to the tables in build/data, and simulate every champion again (witness)
 	@$(MAKE) $(OUT)/data/manifest.csv
 
-frames: program ## live the best individual of each setting again and write its frames
+frames: program ## simulate the best individual of each setting again and write its frames
 	@$(MAKE) $(FRAMES)/frames.csv
 
 figures: deps-paper program ## draw every figure from the tables
@@ -77,14 +79,14 @@ figures: deps-paper program ## draw every figure from the tables
 picture: deps-paper program ## draw the animat of the README, paper/animat.png
 	@$(MAKE) paper/animat.png
 
-reproduce: program ## evolve the design of the tracked tables again, from zero, and compare every table and every run with them
+reproduce: program ## evolve the design of the tracked tables again, from the start, and compare every table and run with the tracked ones
 	@[ -f data/manifest.csv ] || { echo 'reproduce: there are no tracked tables in data/'; exit 1; }
 	@rm -rf $(OUT)/reproduce
 	@$(MAKE) evolve data OUT=$(OUT)/reproduce SEEDS=1:$(call stated,seeds) POPULATION=$(call stated,population) GENERATIONS=$(call stated,generations)
 	@diff -r -x manifest.csv $(OUT)/reproduce/runs/* data/runs/replication || { echo 'reproduce: the runs differ'; exit 1; }
 	@different=0; for table in $(OUT)/reproduce/data/*.csv; do \
 	  cmp -s "$$table" "data/$${table##*/}" || { echo "reproduce: $${table##*/} differs"; different=$$((different + 1)); }; done; \
-	  echo "reproduce: $$(ls $(OUT)/reproduce/data/*.csv | wc -l) tables made again, $$different of them different from those in data/"; ((different == 0))
+	  echo "reproduce: $$(ls $(OUT)/reproduce/data/*.csv | wc -l) tables made again, $$different of them differ from those in data/"; ((different == 0))
 # A number of the design of the tracked tables.
 stated = $(shell awk -F, '$$1 == "$(1)" { print $$2 }' data/manifest.csv)
 
@@ -92,7 +94,7 @@ verify: program ## check the tracked data: all files and tables, and in at most 
 	@bash paper/verify.sh $(PLANULA) $(OUT)/verify $(MINUTES)
 MINUTES ?= 10
 
-keep-data: ## copy build/data and the runs behind it, without those of readings, to data/, the tracked tables that `make paper` prefers
+keep-data: ## copy the tables in build/data and their runs, without those of readings, to data/, whose tables `make paper` uses
 	@cp $(OUT)/data/*.csv data/
 	@rm -rf data/runs; mkdir -p data/runs; cp -r $(RUNS) data/runs/replication; cp -r $(OUT)/runs/searches data/runs/searches
 	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables and their runs copied from $(OUT); commit them with the design that made them'
@@ -107,7 +109,7 @@ sensitivity: program ## halve and double every assumed value for evolved animats
 # The first seed of the paper's design at its own population.
 SENSITIVITY_RUNS = $(OUT)/runs/replication-300
 
-searches: program ## compare the searches at equal evaluations, the three beyond the paper among them: build/data/searches.csv
+searches: program ## compare five searches at equal numbers of evaluations: build/data/searches.csv
 	@$(PLANULA) run experiments/searches.lua --out $(OUT)/runs/searches
 	@rm -rf $(OUT)/searches $(OUT)/data.new
 	@$(PLANULA) reduce experiments/searches.lua --runs $(OUT)/runs/searches --out $(OUT)/searches > /dev/null
@@ -121,11 +123,11 @@ readings: program ## evolve the settings under every reading of the article: bui
 	@$(MAKE) readings-tables
 	@echo 'readings: $(OUT)/data/readings.csv and readings_heredity.csv; the next `make paper` has their tables'
 
-# All readings reach a level before any goes on, and the tables show the last one, READINGS_GENERATIONS.
+# All readings reach a level before any continues; the tables show the last one, READINGS_GENERATIONS.
 READINGS_LEVELS = 15 30
 READINGS_GENERATIONS ?= 60
 READINGS_RUNS ?= $(OUT)/runs/readings
-# Of heredity every tenth generation and the last, and what the article shows of it.
+# Of heredity only every tenth generation and the last, and only the columns that the article shows.
 readings-tables:
 	@rm -rf $(OUT)/readings $(OUT)/data.new
 	@$(PLANULA) reduce experiments/readings.lua --generations $(READINGS_GENERATIONS) --runs $(READINGS_RUNS) --out $(OUT)/readings > /dev/null
@@ -136,21 +138,21 @@ readings-tables:
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 
 ##@ Building and checking
-build: deps build/CMakeCache.txt ## the program and all tests
+build: deps build/CMakeCache.txt ## build the program and all tests
 	@echo 'build: compiling the program and all tests, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) > build/build.log 2>&1 || { cat build/build.log; exit 1; }
 
-program: deps build/CMakeCache.txt ## the program alone: build/planula
+program: deps build/CMakeCache.txt ## build the program alone: build/planula
 	@echo 'program: compiling, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) --target planula > build/program.log 2>&1 || { cat build/program.log; exit 1; }
 
-signature: program ## one hash over the runs of experiments/signature.lua must be the one in tests/golden, and the one compiled in
+signature: program ## compare the hash of the runs of experiments/signature.lua with tests/golden/signature and with the one compiled in
 	@bash tests/torture/signature.sh $(PLANULA)
 
-verify-signature: deps ## the same, with a second compiler or optimisation level
+verify-signature: deps ## the same for a build by another compiler or at another optimisation level
 	@bash tests/torture/signature.sh --alternative
 
-torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, threads and processors; 10^5 hostile genomes and cases of each rule; 200 kills; every file call failing once; 100 altered records; a signature that sees every parameter; a cluster
+torture: deps build/CMakeCache.txt ## the long tests: compilers, optimisation, threads, processors; 10^5 hostile genomes and cases of each rule; 200 kills; each file operation failing once; 100 altered records; the signature depends on every parameter; a cluster
 	@bash tests/torture/signature.sh --all
 	@cmake --build build --parallel $(JOBS) --target planula $(TORTURE) > build/torture.log 2>&1 || { cat build/torture.log; exit 1; }
 	@build/tests/random_genomes 200000
@@ -163,24 +165,24 @@ torture: deps build/CMakeCache.txt ## the large sizes: compilers, optimisation, 
 	@$(MAKE) test-cluster
 TORTURE = random_genomes passive_bodies random_cases
 
-test-cluster: program ## a design as a Slurm job array: time limits, cancelled tasks, a failing node, two tasks for one run; a Slurm of its own, 1 to 2 minutes
+test-cluster: program ## run a design as a Slurm job array, on a Slurm that the test starts: time limits, cancelled tasks, a failing node, two tasks for one run; 1 to 2 minutes
 	@bash tests/support/packages.sh slurmctld slurmd slurm-client munge || true
 	@bash tests/torture/cluster.sh $(PLANULA)
 
 BENCHMARK_RUNS ?= 50
-benchmarks: deps build/CMakeCache.txt ## the searches on XOR, pole balancing and mazes, and beside MultiNEAT: tests/benchmarks/*.csv; interrupt and go on at will
+benchmarks: deps build/CMakeCache.txt ## run the searches on XOR, pole balancing and mazes, and compare with MultiNEAT: tests/benchmarks/*.csv; may be interrupted, the same command resumes
 	@cmake --build build --parallel $(JOBS) --target benchmarks multineat > build/benchmarks.log 2>&1 || { cat build/benchmarks.log; exit 1; }
 	@bash tests/benchmarks/tables.sh build/tests $(BENCHMARK_RUNS) build/benchmarks
 
 REPETITIONS ?= 10000
-power: deps build/CMakeCache.txt ## how often the tests of the claims are wrong, and how often they find what is there: tests/power/*.csv, the same on every machine
+power: deps build/CMakeCache.txt ## simulate how often the tests of the claims are wrong, and how often they find an effect: tests/power/*.csv, the same on every machine
 	@cmake --build build --parallel $(JOBS) --target power > build/power.log 2>&1 || { cat build/power.log; exit 1; }
 	@build/tests/power tests/power $(REPETITIONS)
 	@echo 'power: tests/power/power.csv and tests/power/coverage.csv'
 
-# The last generation that `bench` measures in evolving populations of all settings, and the experiment.
+# The last generation that `bench` measures in evolving populations of all settings.
 UNTIL ?= 10
-bench: deps build/CMakeCache.txt ## how long a step, an embryo, a query and a life take here, native against Bullet, the pace of evolving populations and what a full replication would take: tests/bench/*.csv
+bench: deps build/CMakeCache.txt ## measure the time of steps, growth, queries and evaluations, native and in Bullet, the pace of evolving populations and the time of a full replication: tests/bench/*.csv
 	@bash tests/support/packages.sh libbenchmark-dev
 	@cmake -S . -B build > build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 	@cmake --build build --parallel $(JOBS) --target planula bench > build/bench.log 2>&1 || { cat build/bench.log; exit 1; }
@@ -191,15 +193,18 @@ bench: deps build/CMakeCache.txt ## how long a step, an embryo, a query and a li
 	  cp build/pace.csv "tests/bench/$$machine-pace.csv"; \
 	  echo "bench: tests/bench/$$machine.csv and tests/bench/$$machine-pace.csv"
 
-instructions: deps build/CMakeCache.txt ## instructions of fixed pieces of work, against those kept in tests/bench/instructions.csv; KEEP=1 keeps the new ones
+instructions: deps build/CMakeCache.txt ## count the instructions of fixed pieces of work and compare with tests/bench/instructions.csv; KEEP=1 replaces these
 	@bash tests/support/packages.sh valgrind
 	@cmake --build build --parallel $(JOBS) --target work > build/work.log 2>&1 || { cat build/work.log; exit 1; }
 	@bash tests/bench/instructions.sh build/tests/work $(if $(KEEP),--keep)
 
-lint: ## layering, forbidden constructs, licences, paths, format; and that the lint itself can fail
-	@failed=0; for check in layering sources format lint_test; do \
-	  bash tests/lint/$$check.sh || failed=$$((failed + 1)); done; \
-	  echo "lint: $$((4 - failed)) passed, $$failed failed"; ((failed == 0))
+lint: ## check layering, forbidden constructs, licences, paths, format, names in the documentation, and that the lint itself can fail
+	@passed=0 failed=0; for check in layering sources format documents rooms lint_test; do \
+	  if bash tests/lint/$$check.sh; then passed=$$((passed + 1)); else failed=$$((failed + 1)); fi; done; \
+	  echo "lint: $$passed passed, $$failed failed"; ((failed == 0))
+
+architecture: ## draw the rooms of core/CMakeLists.txt and scripting/CMakeLists.txt: paper/rooms.svg
+	@bash tests/lint/rooms.sh --draw
 
 format: ## clang-format every C++ source in place
 	@find core scripting tests -name '*.h' -o -name '*.cpp' | xargs -d '\n' clang-format -i
@@ -207,18 +212,18 @@ format: ## clang-format every C++ source in place
 clean: ## remove build/, runs included
 	@rm -rf build
 
-##@ System packages (Debian 12; done by the others when needed)
-BUILD_PACKAGES = g++ cmake make pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev liblzma-dev
+##@ System packages (Debian 12; the other targets install what they need)
+BUILD_PACKAGES = g++ cmake make ninja-build pkg-config libeigen3-dev libcgal-dev libbullet-dev libluajit-5.1-dev libboost-test-dev libfccp-dev zlib1g-dev liblzma-dev
 PAPER_PACKAGES = gnuplot-nox texlive-latex-base texlive-latex-recommended texlive-luatex lmodern
 
-deps: ## packages to build and test
+deps: ## install the packages to build and test
 	@bash tests/support/packages.sh $(BUILD_PACKAGES)
 
-deps-paper: ## packages to build and to make the paper
+deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches readings readings-tables \
-        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint format clean deps deps-paper always
+        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:
@@ -286,8 +291,8 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 	@mkdir -p $(FIGURES)/$*
 	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
 
-# The article: twice, for its references. The folder of the data is handed to TeX as two macros. It does without the
-# tables of the witness, of sensitivity, of searches and of readings where the data have none.
+# The article: typeset twice, for its references. TeX gets the folder of the data as two macros. The tables of the witness, of
+# sensitivity, of searches and of readings are left out where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
     $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- How much do the results hang on the values that the paper does not give? All its settings at its population,
--- but briefly; then a sample of what evolved lives again with each of those values halved and doubled:
+-- How much do the results depend on the values that the paper does not give? Evolves all its settings at its population,
+-- for few generations; then simulates a sample of what evolved with each of those values halved and doubled:
 --   make sensitivity
 return planula.fill({
   name = "sensitivity",

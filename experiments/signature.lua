@@ -2,9 +2,9 @@
 -- What `planula signature` signs: every rule of the model, in runs so small that all of them take seconds. The hash
 -- over these runs is the revision of the model, so whatever changes here changes that, too.
 --
--- The paper's settings come first, with their own parameters. The others let rules act within a few generations
--- that would act late, or on few: lives are brief, and parameters lie where a change of any of them shows, which
--- tests/torture/parameters.sh checks. Nothing here is meant to evolve well.
+-- The paper's settings come first, with their own parameters. In the others rules act within a few generations
+-- that would otherwise act late or seldom: evaluations are brief, and parameters have values at which a change of any of them
+-- shows, which tests/torture/parameters.sh checks. Nothing here is meant to evolve well.
 local paper = require "paper"
 local descriptors = require "descriptors"
 local replication = require "paper.replication"
@@ -13,7 +13,7 @@ local settings = {}
 for index, setting in ipairs(replication.settings) do settings[index] = setting end
 local function add(setting) settings[#settings + 1] = setting end
 
--- Lives of a few hundred steps, after a short rest.
+-- Movement of a few hundred steps, after a short rest.
 local function brief(parameters)
   return planula.fill(parameters, {
     locomotion_steps = 400, ramp_steps = 100, settle_window = 100, settle_limit = 1000,
@@ -48,7 +48,7 @@ add { name = "recurrence", search = "neat", actuation = "grn",
         compatibility_threshold = 5, compatibility_floor = 4.5,
       }, species) }
 add { name = "archive", search = "novelty", parameters = archive }
--- A threshold that nobody reaches falls to its lowest value.
+-- A threshold that no individual reaches falls to its lowest value.
 add { name = "quiet-archive", search = "novelty",
       parameters = brief { population = 4, generations = 8, archive_threshold = 100, archive_floor = 75, archive_patience = 2,
                            archive_lower = 0.9 } }
@@ -66,7 +66,7 @@ add { name = "aged-novelty", search = "novelty", parameters = planula.fill({ nov
 add { name = "tissue-frame", search = "neat", actuation = "grn", environment = paper.terrestrial(),
       parameters = brief { division_turn = "nobody", orientation_frame = "tissue", gait_place = "present" } }
 
--- A valley, and a river whose water also rises.
+-- A valley, and a river that also flows upwards.
 add { name = "slopes", search = "neat", actuation = "grn", parameters = brief {},
       environment = paper.terrestrial { ground = { { -8, 4 }, { -1, 0 }, { 1, 0.2 }, { 5, 3 } } } }
 add { name = "current", search = "neat", parameters = brief {},

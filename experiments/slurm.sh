@@ -6,7 +6,7 @@
 #
 # from the folder of planula; the options are those of `planula run` except --part and --threads. All tasks may share one
 # --out on a file system that all nodes see, or have one on each node: `planula merge` gathers them. In the second case a
-# task that is requeued to another node begins its run anew there, unless --nodelist holds it where it was.
+# task that is requeued to another node starts its run again there, unless --nodelist holds it where it was.
 #
 # - Time limit: Slurm signals this script a minute before, planula stops and keeps its state, and the task is requeued.
 # - A node that fails: Slurm requeues the task, and planula resumes from the last checkpoint.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// CHECK(condition, values…): what the programmer promised. A broken promise throws InternalError with the
-// place, the condition and the values; it is never compiled out.
+// CHECK(condition, values…): a condition that the program itself guarantees. If it does not hold, throws InternalError
+// with the place, the condition and the values; it is never compiled out.
 #pragma once
 
 #include "base/error.h"
@@ -13,7 +13,7 @@ namespace planula {
 template <class... Values>
 [[noreturn]] void check_failed(const char *file, int line, const char *condition, const Values &...values) {
     std::ostringstream text;
-    text << file << ':' << line << ": broken promise: " << condition;
+    text << file << ':' << line << ": check failed: " << condition;
     ((text << ' ' << values), ...);
     throw InternalError(text.str());
 }

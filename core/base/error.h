@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of error that end a command, each with the exit code that main() returns for it. What happens to
-// an animat is never an error but an Outcome.
+// The kinds of error that end a command, each with the exit code that main() returns for it. What happens to an animat
+// is never an error but an Outcome.
 #pragma once
 
 #include <stdexcept>
@@ -21,7 +21,7 @@ struct UsageError : Error {
 struct InputError : Error {
     explicit InputError(const std::string &message) : Error(65, message) {}
 };
-/// A broken promise of the program itself.
+/// An error in the program itself.
 struct InternalError : Error {
     explicit InternalError(const std::string &message) : Error(70, message) {}
 };
@@ -37,7 +37,7 @@ struct RefusedError : CreateError {
 struct IoError : Error {
     explicit IoError(const std::string &message) : Error(74, message) {}
 };
-/// The run was asked to stop; started again, it goes on.
+/// The run was asked to stop; the same command resumes it.
 struct Stopped : Error {
     explicit Stopped(const std::string &message) : Error(75, message) {}
 };

@@ -56,7 +56,7 @@ template <class T> T tanh_of(T x) {
     const T e = scale * expm1_small(r) + (scale - T(1));
     const T infinity(__builtin_inf());
     return select(magnitude <= infinity, copysign(e / (e + T(2)), x),
-                  x); // a number that is none stays itself
+                  x); // NaN stays NaN
 }
 
 } // namespace planula::math

@@ -14,8 +14,8 @@ constexpr bool is_prime(unsigned n) {
     return n > 1;
 }
 
-/// The first 32 bits of the fractional part of the cube root of n, found by bisection in integers: the
-/// standard's round constants are defined so (FIPS 180-4, section 4.2.2).
+/// The first 32 bits of the fractional part of the cube root of n, found by bisection in integers: the standard's round
+/// constants are defined so (FIPS 180-4, section 4.2.2).
 constexpr std::uint32_t cube_root_fraction(unsigned n) {
     // The largest r with r^3 <= n * 2^96 has 2^32 times the root; compared in 128 bits.
     __extension__ using Wide = unsigned __int128;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SHA-256 (FIPS 180-4), for signatures, manifests and the identity of a specification; sha256sum agrees.
-// Numbers are fed as little-endian bytes of their bit patterns, so equal hashes mean equal bits.
+// SHA-256 (FIPS 180-4), for signatures, manifests and the identity of a specification; sha256sum agrees. Numbers are
+// fed as little-endian bytes of their bit patterns, so equal hashes mean equal bits.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ class Hash {
 /// SHA-256 of a text's bytes, as sha256sum prints it.
 std::string sha256(std::string_view bytes);
 
-/// A 64-bit mixer: every bit of the result depends on every bit of `value` (the finaliser of SplitMix64,
-/// Steele, Lea & Flood 2014). For fixed, meaningless variety; not for secrets.
+/// A 64-bit mixer: every bit of the result depends on every bit of `value` (the finaliser of SplitMix64, Steele, Lea &
+/// Flood 2014). For fixed, meaningless variety; not for secrets.
 constexpr std::uint64_t mix(std::uint64_t value) {
     value = (value ^ value >> 30) * 0xbf58476d1ce4e5b9;
     value = (value ^ value >> 27) * 0x94d049bb133111eb;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The instruction sets that kernels are built for, each from a text of its own (base/lanes.h), and which of them
-// this process uses. Bits do not depend on it: only time does.
+// The instruction sets that kernels are built for, each from a text of its own (base/lanes.h), and which of them this
+// process uses. Bits do not depend on it: only time does.
 #pragma once
 
 #include <span>

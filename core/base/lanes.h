@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Numbers side by side: `width` floats or doubles on which one instruction works at once, so that a law written as
-// a template on its number type serves one number and many. The only file with vector extensions and
-// intrinsics. Every operation rounds each lane as IEEE 754 says (no reciprocal estimates, no fused
-// multiply-add), so a lane's result does not depend on the width. The types are internal to each file that
-// includes this: files built for different instruction sets share no code through the linker.
+// Numbers side by side: `width` floats or doubles on which one instruction works at once, so that a law written as a
+// template on its number type serves one number and many. The only file with vector extensions and intrinsics. Every
+// operation rounds each lane as IEEE 754 says (no reciprocal estimates, no fused multiply-add), so a lane's result does
+// not depend on the width. The types are internal to each file that includes this: files built for different
+// instruction sets share no code through the linker.
 #pragma once
 
 #include <utility>
@@ -22,8 +22,8 @@ template <class Number, int width> struct VectorOf {
 };
 template <class Number> struct VectorOf<Number, 1> { using Type = Number; };
 
-// What the compilers' vectors do not offer, or not in one instruction. Of two numbers that do not compare the
-// second is greater and less: as in std::max(second, first) and std::min.
+// What the compilers' vectors do not offer, or not in one instruction. Of two numbers that do not compare the second is
+// greater and less: as in std::max(second, first) and std::min.
 inline float root_of(float a) { return __builtin_sqrtf(a); }
 inline float greater_of(float a, float b) { return a > b ? a : b; }
 inline float lesser_of(float a, float b) { return a < b ? a : b; }
@@ -102,7 +102,7 @@ template <class Number_, int width_> struct LanesOf {
     /// 2^k for whole numbers k, -1022 <= k <= 1023; doubles only.
     friend LanesOf power_of_two(LanesOf k) {
         static_assert(sizeof(Number) == 8);
-        // Added to 1.5 · 2^52, k + 1023 stands in the lowest bits; the exponent is 52 higher.
+        // Added to 1.5 · 2^52, k + 1023 is in the lowest bits; the exponent is 52 higher.
         const Vector shifted = k.value + (Number(0x1.8p52) + Number(1023) - Vector{});
         if constexpr (width == 1)
             return of(__builtin_bit_cast(Number, __builtin_bit_cast(unsigned long long, shifted) << 52));
@@ -117,7 +117,7 @@ template <class Number_, int width_> struct LanesOf {
 template <int width> using Lanes = LanesOf<float, width>;
 template <int width> using DoubleLanes = LanesOf<double, width>;
 
-/// How many doubles lie side by side on every processor that this file is built for.
+/// The number of doubles of a vector on every processor that this file is built for.
 #if defined(__SSE2__)
 constexpr int baseline_doubles = 2;
 #else
@@ -127,7 +127,7 @@ constexpr int baseline_doubles = 1;
 /// Four floats to a record, side by side in four numbers: a field each.
 template <class T> struct Fields { T a, b, c, d; };
 
-/// `T::width` numbers that lie one after another.
+/// `T::width` consecutive numbers.
 template <class T> T load(const typename T::Number *from) {
     T result;
     __builtin_memcpy(&result, from, sizeof result);
@@ -199,7 +199,7 @@ Fields<T> transposed(Floats r0, Floats r1, Floats r2, Floats r3) {
             T::of(within_blocks<0, 2, 0, 2>(cd01, cd23)), T::of(within_blocks<1, 3, 1, 3>(cd01, cd23))};
 }
 
-/// The four fields of `T::width` records, which lie at record_at(0), record_at(1), ….
+/// The four fields of `T::width` records, which are at record_at(0), record_at(1), ….
 template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &record_at) {
     if constexpr (T::width == 1) {
         const float *r = record_at(0);
@@ -228,11 +228,11 @@ template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &
 #endif
 }
 
-/// The four fields of `T::width` records that lie one after another.
+/// The four fields of `T::width` consecutive records.
 template <class T> inline Fields<T> load_fields(const float *from) {
 #if defined(__AVX512DQ__)
     if constexpr (T::width == 16) {
-        // Transposed as they lie, they stand in turn in every fourth lane.
+        // Transposed in place, they are in turn in every fourth lane.
         const auto rows = transposed<T>(load<T>(from).value, load<T>(from + 16).value,
                                         load<T>(from + 32).value, load<T>(from + 48).value);
         const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
@@ -245,7 +245,7 @@ template <class T> inline Fields<T> load_fields(const float *from) {
     return load_fields<T>([&](int lane) { return from + 4 * lane; });
 }
 
-/// The fields of `T::width` records to records that lie one after another.
+/// Writes the fields of `T::width` records to consecutive records.
 template <class T> void store_fields(const Fields<T> &fields, float *to) {
     if constexpr (T::width == 1) {
         to[0] = fields.a.value, to[1] = fields.b.value, to[2] = fields.c.value, to[3] = fields.d.value;

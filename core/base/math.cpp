@@ -86,8 +86,7 @@ double log(double x) {
     double m = std::bit_cast<double>((bits & 0x000fffffffffffff) | 0x3ff0000000000000);
     if (m > 1.41421356237309504880) m /= 2, ++k;
 
-    // log m = 2 artanh(s) with f = m - 1 (exact) and s = f / (2 + f), written as f - f²/2 + s (f²/2 +
-    // series).
+    // log m = 2 artanh(s) with f = m - 1 (exact) and s = f / (2 + f), written as f - f²/2 + s (f²/2 + series).
     const double f = m - 1, s = f / (2 + f), z = s * s, half_square = 0.5 * f * f;
     const double series = z * horner(z, 2.0 / 23, 2.0 / 21, 2.0 / 19, 2.0 / 17, 2.0 / 15, 2.0 / 13, 2.0 / 11,
                                      2.0 / 9, 2.0 / 7, 2.0 / 5, 2.0 / 3);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Elementary functions with the same bits on every compiler, CPU and C library: additions, multiplications,
-// divisions and bit operations of IEEE doubles alone. libm's own differ between CPUs (they use FMA where
-// there is one). Errors stay within a few units in the last place unless said otherwise; NaN in gives NaN
-// out.
+// Elementary functions with the same bits on every compiler, CPU and C library: additions, multiplications, divisions
+// and bit operations of IEEE doubles alone. libm's own differ between CPUs (they use FMA where there is one). Errors
+// stay within a few units in the last place unless said otherwise; NaN in gives NaN out.
 #pragma once
 
 namespace planula::math {

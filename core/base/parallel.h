@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The only threads of the core: independent tasks handed out one by one. A crew works at several jobs at once, each of
-// which goes on alone for a while and then hands out tasks: while one job is alone, or waits for its last task, the
-// others' tasks keep the threads busy.
+// The only threads of the core: independent tasks handed out one by one. A crew works at several jobs at once. Each job
+// alternates between serial work and sharing out tasks; while one job is serial, or waits for its last task, the
+// threads do tasks of the others.
 #pragma once
 
 #include <condition_variable>
@@ -16,15 +16,15 @@ class Crew {
   public:
     explicit Crew(int threads) : threads_(threads) {}
 
-    /// Calls job(0) … job(count - 1) on the crew's threads, the calling one among them; returns when all are done.
-    /// Jobs begin in order, and a further one only when a thread finds no task to do. Once a job has thrown, none
-    /// begins any more, and when those begun are done that exception is thrown again here.
+    /// Calls job(0) … job(count - 1) on the crew's threads, the calling one among them; returns when all are done. Jobs
+    /// begin in order, and a further one only when a thread finds no task to do. After a job has thrown no other
+    /// begins; when those that have begun are done, its exception is thrown again here.
     void work(int count, const std::function<void(int)> &job);
     /// Called by job number `job`, one call at a time: calls task(0) … task(count - 1), each once, on any of the
     /// threads; returns when all are done. Tasks of earlier jobs come first. If tasks throw, the exception of the
     /// lowest index is thrown again here.
     void share(int job, int count, const std::function<void(int)> &task);
-    /// Whether a job has thrown, so that the others had better end.
+    /// Whether a job has thrown, so that the others should end.
     bool failed();
 
   private:
@@ -49,8 +49,8 @@ class Crew {
     std::exception_ptr failure_; // the first
 };
 
-/// Calls task(0) … task(count - 1), each once, on up to `threads` threads; returns when all are done. Tasks
-/// must not depend on each other. If tasks throw, the exception of the lowest index is thrown again here.
+/// Calls task(0) … task(count - 1), each once, on up to `threads` threads; returns when all are done. Tasks must not
+/// depend on each other. If tasks throw, the exception of the lowest index is thrown again here.
 void parallel_for(int count, int threads, const std::function<void(int)> &task);
 
 /// Who does the tasks of a job: threads of its own, or a crew that it shares with others. Nothing depends on which.

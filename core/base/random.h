@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Named, counter-based random streams. A stream is a pure function of (seed; generation, individual,
-// purpose): there is no state to save, and no draw of one stream can move another. The generator is
-// Philox4x32-10 (Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"). Development and physics
-// take no chance.
+// Named, counter-based random streams. A stream is a pure function of (seed; generation, individual, purpose): there is
+// no state to save, and no draw of one stream can move another. The generator is Philox4x32-10 (Salmon et al. 2011,
+// "Parallel random numbers: as easy as 1, 2, 3"). Development and physics take no chance.
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// State as bytes, for what a stopped run must find again: integers and doubles as eight little-endian bytes,
-// texts and lists behind their length, every group behind its name. What was written reads back to the bit;
-// anything else — cut short, of another kind, of impossible length — is refused by an InputError that names
-// the group and the byte. No type is told by its bytes: reader and writer name the same things in one order.
+// State as bytes, for what a stopped run must find again: integers and doubles as eight little-endian bytes, texts and
+// lists behind their length, every group behind its name. What was written reads back to the bit; anything else — cut
+// short, of another kind, of impossible length — is refused by an InputError that names the group and the byte. The
+// bytes hold no types: reader and writer name the same things in the same order.
 #pragma once
 
 #include <cstddef>

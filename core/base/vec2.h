@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A point or vector of the plane. Lengths are in cell diameters. Every operation is a fixed sequence of IEEE
-// additions and multiplications, so that a quarter turn of all arguments turns the result to the bit.
+// A point or vector of the plane. Lengths are in cell diameters. Every operation is a fixed sequence of IEEE additions
+// and multiplications, so that a quarter turn of all arguments turns the result to the bit.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What evolution is told about an individual. The evolution room knows genomes and evaluations, never an
-// animat.
+// What evolution is told about an individual: it knows genomes and evaluations, never an animat.
 #pragma once
 
 #include "base/state.h"
@@ -20,8 +19,8 @@ struct Evaluation {
     bool operator==(const Evaluation &) const = default;
 };
 
-/// For searches that read descriptors: throws InputError if a valid individual has none, one that is not
-/// finite, or one of another length than `length`, which the first one sets while it is 0.
+/// For searches that read descriptors: throws InputError if a valid individual has none, one that is not finite, or one
+/// of another length than `length`, which the first one sets while it is 0.
 void check_behaviours(std::span<const Evaluation> evaluations, std::size_t &length);
 
 void save(const Evaluation &evaluation, StateWriter &writer);

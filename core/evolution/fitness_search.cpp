@@ -31,4 +31,8 @@ void FitnessSearch::load(const Population &, std::span<const ArchiveEntry> archi
     check_archive(archive, 0, 0, reader);
 }
 
+std::unique_ptr<Search> fitness_search(const Parameters &parameters) {
+    return std::make_unique<FitnessSearch>(parameters);
+}
+
 } // namespace planula

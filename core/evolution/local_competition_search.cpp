@@ -24,7 +24,8 @@ std::vector<double> genotypic_diversity(const Elites &pool, const NeatParameters
 
 } // namespace
 
-std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool, const Neighbours &neighbours,
+std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool,
+                                                           const NeighbourLists &neighbours,
                                                            const NoveltyArchive &archive) const {
     const auto fitness = [&](std::size_t index) {
         return index < pool.size() ? pool.evaluations[index].fitness
@@ -49,6 +50,10 @@ std::vector<double> LocalCompetitionSearch::diversity(std::span<const Objectives
     std::vector<double> result;
     for (const int who : front) result.push_back(objectives[who].back());
     return result;
+}
+
+std::unique_ptr<Search> local_competition_search(const Parameters &parameters) {
+    return std::make_unique<LocalCompetitionSearch>(parameters);
 }
 
 } // namespace planula

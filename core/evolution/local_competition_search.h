@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Novelty search with local competition (Lehman & Stanley 2011, "Evolving a diversity of virtual creatures
-// through novelty search and local competition", GECCO): an individual competes with those that behave like
-// it, so that every way of behaving is improved by its own measure. NSGA-II with three objectives: novelty,
-// local competition and genotypic diversity; the last takes the place of crowding in the space of objectives,
-// which would conflate individuals that differ although they score alike.
+// Novelty search with local competition (Lehman & Stanley 2011, "Evolving a diversity of virtual creatures through
+// novelty search and local competition", GECCO): an individual competes with those that behave like it, so that every
+// way of behaving is improved by its own measure. NSGA-II with three objectives: novelty, local competition and
+// genotypic diversity; the last takes the place of crowding in the space of objectives, which would conflate
+// individuals that differ although they score alike.
 #pragma once
 
 #include "evolution/pareto_search.h"
@@ -15,9 +15,9 @@ class LocalCompetitionSearch final : public ParetoSearch {
     explicit LocalCompetitionSearch(const Parameters &parameters)
         : ParetoSearch("local competition search", parameters) {}
 
-    /// Novelty × penalty; the number of neighbours, the same that novelty is measured by, with lower fitness;
-    /// the mean distance δ (genome/distance.h) to the valid others of the pool.
-    std::vector<Objectives> objectives(const Elites &pool, const Neighbours &neighbours,
+    /// Novelty × penalty; the number of neighbours, the same that novelty is measured by, with lower fitness; the mean
+    /// distance δ (genome/distance.h) to the valid others of the pool.
+    std::vector<Objectives> objectives(const Elites &pool, const NeighbourLists &neighbours,
                                        const NoveltyArchive &archive) const override;
     std::vector<double> diversity(std::span<const Objectives> objectives,
                                   std::span<const int> front) const override;

@@ -87,4 +87,8 @@ void MapElitesSearch::load(const Population &population, std::span<const Archive
     }
 }
 
+std::unique_ptr<Search> map_elites_search(const Parameters &parameters) {
+    return std::make_unique<MapElitesSearch>(parameters);
+}
+
 } // namespace planula

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// MAP-Elites (Mouret & Clune 2015, "Illuminating search spaces by mapping elites", arXiv:1504.04909): the
-// space of behaviours is divided into niches, and of all who ever fell into a niche the fittest is kept, the
-// first of equals. Parents are drawn uniformly from these elites; a generation is a batch of children. The
-// niches are the cubes of a grid without bounds, niche_width wide; a descriptor scales each of its numbers
-// to that width. An invalid individual has no niche.
+// MAP-Elites (Mouret & Clune 2015, "Illuminating search spaces by mapping elites", arXiv:1504.04909): the space of
+// behaviours is divided into niches, and of all individuals that ever were in a niche the fittest is kept, the first of
+// equals. Parents are drawn uniformly from these elites; a generation is a batch of children. The niches are the cubes
+// of a grid without bounds, niche_width wide; a descriptor scales each of its numbers to that width. An invalid
+// individual has no niche.
 //
-// An individual's score is what it adds to the map: its fitness less that of the elite it replaces, all of it
-// in an empty niche, 0 if it replaces none. The sum of all that was ever added is the QD-score of Pugh,
-// Soros & Stanley (2016), the sum of fitness over the map. The archive lists everyone who became an elite,
-// with that score as novelty; the last entry of each niche holds it.
+// An individual's score is what it adds to the map: its fitness less that of the elite it replaces, all of it in an
+// empty niche, 0 if it replaces none. The sum of all that was ever added is the QD-score of Pugh, Soros & Stanley
+// (2016), the sum of fitness over the map. The archive lists all individuals that became elites, with that score as
+// novelty; the last entry of each niche holds it.
 #pragma once
 
 #include "evolution/brood.h"

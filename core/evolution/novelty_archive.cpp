@@ -35,7 +35,7 @@ std::vector<std::vector<Neighbour>> NoveltyArchive::neighbours(std::span<const E
         if (!evaluations[self].valid()) continue;
         const auto &place = evaluations[self].behaviour;
         // The archive first: after it few of the others are near enough to be sorted in.
-        Nearest nearest(parameters_.novelty_neighbours);
+        NearestNeighbours nearest(parameters_.novelty_neighbours);
         index_.offer(place, evaluations.size(), nearest);
         for (std::size_t other = 0; other < evaluations.size(); ++other)
             if (other != self && evaluations[other].valid())
@@ -84,8 +84,8 @@ void NoveltyArchive::load(StateReader &reader, std::span<const ArchiveEntry> ent
     reader.group("archive");
     threshold_ = reader.finite();
     if (threshold_ < 0) reader.refuse("a threshold is below 0");
-    // Counts that go on must not overflow: a run of additions is far from half of what fits, and the quiet
-    // generations start again at the patience.
+    // Counts that go on must not overflow: a run of additions is far from half of what fits, and the quiet generations
+    // start again at the patience.
     run_ = static_cast<int>(reader.integer(0, largest / 2));
     quiet_ = static_cast<int>(reader.integer(0, parameters_.archive_patience - 1));
     length_ = static_cast<std::size_t>(reader.integer(0, largest));

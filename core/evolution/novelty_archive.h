@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The archive of novelty search and what it is for: neighbours in the space of behaviours (Lehman & Stanley
-// 2011; §2.7.2; decision 0014). An invalid individual is as if it did not exist.
+// The archive of novelty search and its use: neighbours in the space of behaviours (Lehman & Stanley 2011; §2.7.2;
+// decision 0014). An invalid individual is as if it did not exist.
 //
-// The archive's threshold follows the pressure on it: a long unbroken run of additions raises it, a long time
-// without any lowers it, never below its floor. The archive only grows.
+// The archive's threshold follows the pressure on it: a long unbroken run of additions raises it, a long time without
+// any lowers it, never below its floor. The archive only grows.
 #pragma once
 
 #include "evolution/evaluation.h"
-#include "evolution/neighbours.h"
+#include "evolution/nearest_neighbours.h"
 #include "evolution/population.h"
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct ArchiveEntry {
     bool operator==(const ArchiveEntry &) const = default;
 };
 
-/// For a search that resumes: throws InputError at this place of its state unless there are `count` entries, each with a
-/// behaviour of this length.
+/// For a search that resumes: throws InputError at this place of its state unless there are `count` entries, each with
+/// a behaviour of this length.
 void check_archive(std::span<const ArchiveEntry> archive, std::size_t count, std::size_t length,
                    const StateReader &reader);
 
@@ -39,13 +39,12 @@ class NoveltyArchive {
     explicit NoveltyArchive(const NoveltyParameters &parameters)
         : parameters_(parameters), threshold_(parameters.archive_threshold) {}
 
-    /// Of each individual the novelty_neighbours nearest among the valid others and the archive, the nearest
-    /// first; all there are if they are fewer, and none for invalid individuals. An index below
-    /// evaluations.size() is an individual; beyond that entries follow. Throws InputError as
-    /// check_behaviours() does.
+    /// Of each individual the novelty_neighbours nearest among the valid others and the archive, the nearest first; all
+    /// there are if they are fewer, and none for invalid individuals. An index below evaluations.size() is an
+    /// individual; beyond that entries follow. Throws InputError as check_behaviours() does.
     std::vector<std::vector<Neighbour>> neighbours(std::span<const Evaluation> evaluations);
 
-    /// Takes in the individuals of a generation whose novelty lies above the threshold.
+    /// Adds the individuals of a generation whose novelty is above the threshold.
     void extend(const Population &population, std::span<const Evaluation> evaluations,
                 std::span<const double> novelty);
 

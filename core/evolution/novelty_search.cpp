@@ -33,4 +33,8 @@ void NoveltySearch::load(const Population &, std::span<const ArchiveEntry> archi
     archive_.load(reader, archive);
 }
 
+std::unique_ptr<Search> novelty_search(const Parameters &parameters) {
+    return std::make_unique<NoveltySearch>(parameters);
+}
+
 } // namespace planula

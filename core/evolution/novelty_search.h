@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Novelty search (Lehman & Stanley 2011; §2.7.2; decision 0014): an individual is rewarded for behaving
-// unlike those that live and those in an archive of the past. ρ = mean Euclidean distance to the k nearest
+// Novelty search (Lehman & Stanley 2011; §2.7.2; decision 0014): an individual is rewarded for behaving unlike the
+// others of its generation and those in an archive of the past. ρ = mean Euclidean distance to the k nearest
 // behaviours, Eq. (7). Fitness is never read; an invalid individual is as if it did not exist.
 #pragma once
 

@@ -3,7 +3,7 @@
 
 namespace planula {
 
-std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const Neighbours &neighbours,
+std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const NeighbourLists &neighbours,
                                                 const NoveltyArchive &) const {
     std::vector<Objectives> result(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i) {
@@ -16,6 +16,10 @@ std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const Neighb
 std::vector<double> Nsga2Search::diversity(std::span<const Objectives> objectives,
                                            std::span<const int> front) const {
     return crowding_distances(objectives, front);
+}
+
+std::unique_ptr<Search> nsga2_search(const Parameters &parameters) {
+    return std::make_unique<Nsga2Search>(parameters);
 }
 
 } // namespace planula

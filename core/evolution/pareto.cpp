@@ -28,7 +28,7 @@ std::vector<std::vector<int>> non_dominated_fronts(std::span<const Objectives> s
             if (dominates(solutions[b], solutions[a])) dominated[b].push_back(a), ++dominators[a];
         }
 
-    // A front is left by those whom only earlier fronts dominate.
+    // The next front: the solutions that only earlier fronts dominate.
     std::vector<std::vector<int>> fronts;
     std::vector<int> front;
     for (int i = 0; i < count; ++i)

@@ -15,7 +15,7 @@ std::vector<double> ParetoSearch::score(const Population &population,
         pool.add(population.genomes[slot], evaluations[slot]);
 
     // Rank all by the archive as it is; only then do the new ones enter it.
-    const Neighbours neighbours = archive_.neighbours(pool.evaluations);
+    const NeighbourLists neighbours = archive_.neighbours(pool.evaluations);
     const std::vector<int> order = ranked(objectives(pool, neighbours, archive_));
     std::vector<double> novelties;
     for (std::size_t i = kept_.size(); i < pool.size(); ++i) novelties.push_back(novelty(neighbours[i]));
@@ -52,7 +52,7 @@ Population ParetoSearch::next(const Population &population, std::span<const doub
                               const NetworkShape &shape, std::uint64_t seed) const {
     std::vector<double> ranks;
     for (std::size_t left = kept_.size(); left > 0; --left) ranks.push_back(static_cast<double>(left));
-    // Of two drawn, the one of higher rank, which stands before.
+    // Of two drawn, the one of higher rank, which comes first in kept_.
     const auto tournament = [&](Stream &stream) {
         const auto size = static_cast<std::uint32_t>(kept_.size());
         const std::uint32_t one = stream.below(size), other = stream.below(size);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Searches with several objectives, by the main loop of NSGA-II (Deb et al. 2002, §III.C; evolution/pareto.h):
-// the individuals kept so far and the generation that has just lived are ranked together, by front and, within
-// a front, by diversity; as many as a population holds are kept, and breed by binary tournaments on that
-// rank. Those kept do not live again. What the objectives are, and what diversity is, each search says.
+// Searches with several objectives, by the main loop of NSGA-II (Deb et al. 2002, §III.C; evolution/pareto.h): the
+// individuals kept so far and the generation that was just evaluated are ranked together, by front and, within a front,
+// by diversity. As many as a population holds are kept, and become parents by binary tournaments on that rank; they are
+// not simulated again. Each search defines its objectives and its diversity.
 //
-// One objective is always novelty, Eq. (7), times the penalty: of kept and new ones alike among all of both
-// and the archive, anew in every generation. The archive is that of novelty search and takes in new ones
-// only. An invalid individual is not feasible.
+// One objective is always novelty, Eq. (7), times the penalty. It is computed in every generation, for kept and new
+// individuals alike, among all of both and the archive. The archive is that of novelty search; only new individuals
+// enter it. An invalid individual is not feasible.
 #pragma once
 
 #include "evolution/brood.h"
@@ -19,8 +19,8 @@ namespace planula {
 
 class ParetoSearch : public Search {
   public:
-    /// The number of those, kept or new, whom an individual outranks. Throws InputError as
-    /// check_behaviours() does.
+    /// The number of individuals, kept or new, that an individual outranks. Throws InputError as check_behaviours()
+    /// does.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
     Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
                     std::uint64_t seed) const override;
@@ -39,9 +39,9 @@ class ParetoSearch : public Search {
     ParetoSearch(std::string name, const Parameters &parameters)
         : neat_(parameters.neat), name_(std::move(name)), archive_(parameters.novelty) {}
 
-    using Neighbours = std::vector<std::vector<Neighbour>>;
+    using NeighbourLists = std::vector<std::vector<Neighbour>>;
     /// Of each valid individual of the pool, whose neighbours are those of NoveltyArchive::neighbours().
-    virtual std::vector<Objectives> objectives(const Elites &pool, const Neighbours &neighbours,
+    virtual std::vector<Objectives> objectives(const Elites &pool, const NeighbourLists &neighbours,
                                                const NoveltyArchive &archive) const = 0;
     /// What decides within a front, the higher the better; there is at least one objective.
     virtual std::vector<double> diversity(std::span<const Objectives> objectives,

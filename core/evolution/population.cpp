@@ -39,7 +39,7 @@ Population initial_population(const NetworkShape &shape, const NeatParameters &p
         for (auto &link : child.links) link.weight = new_weight(parameters.start_weight, parameters, stream);
         add_child(parameters, population, std::move(child));
     }
-    settle(parameters.population, population);
+    complete_generation(parameters.population, population);
     return population;
 }
 

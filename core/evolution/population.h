@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A population in species, and the one that a run starts with (§2.7; decision 0013). The next one is made
-// of it by evolution/reproduce.h.
+// A population in species, and the first one of a run (§2.7; decision 0013). evolution/reproduce.h makes the next one
+// from it.
 //
 // Slot order is the order of everything: species in list order, members as placed. genomes[i] is slot i.
 #pragma once
@@ -41,8 +41,8 @@ struct NetworkShape {
     bool recurrent = false;
 };
 
-/// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2), placed in
-/// species one after the other.
+/// Generation 0: every input linked to every output, no hidden node, weights by u± (§2.7.2), placed in species one
+/// after the other.
 Population initial_population(const NetworkShape &shape, const NeatParameters &parameters,
                               std::uint64_t seed);
 

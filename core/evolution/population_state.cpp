@@ -17,8 +17,8 @@ namespace {
 constexpr std::int64_t most_genomes = std::int64_t{1} << 53; // ids that a table's reader keeps exactly
 constexpr std::int64_t longest_age = 1'000'000'000;          // of a species, far from overflow
 
-/// A settled species is the next run of slots, represented by the first of them.
-bool is_settled(const Population &population) {
+/// A species of a complete generation is the next run of slots, represented by the first of them.
+bool is_complete(const Population &population) {
     int slot = 0;
     for (const Species &species : population.species) {
         if (species.members.empty() || !(species.representative == population.genomes.at(slot))) return false;
@@ -96,7 +96,7 @@ void check_member(const Genome &genome, const NetworkShape &shape, const Populat
 }
 
 void save(const Population &population, StateWriter &writer) {
-    CHECK(is_settled(population), population.generation);
+    CHECK(is_complete(population), population.generation);
     writer.group("population").integer(population.generation);
     writer.real(population.threshold).real(population.best_ever);
     writer.integer(population.next_genome).integer(population.next_species);

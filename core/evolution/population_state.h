@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A population as saved state (base/state.h), between two generations: born and settled in its slots, not yet
-// evaluated. What is loaded is whole: genomes, species and innovations agree with each other and with the
-// shape of the networks, so that breeding from it breaks no promise.
+// A population as saved state (base/state.h), between two generations: complete, not yet evaluated. What is loaded is
+// whole: genomes, species and innovations agree with each other and with the shape of the networks, so that breeding
+// from it breaks no promise.
 #pragma once
 
 #include "base/state.h"
@@ -9,7 +9,7 @@
 
 namespace planula {
 
-/// Needs a settled population (evolution/species.h).
+/// Needs a complete generation (evolution/species.h).
 void save(const Population &population, StateWriter &writer);
 
 /// A population of `size` genomes in a run of so many generations. Throws InputError naming the rule that the bytes break.

@@ -13,8 +13,7 @@ namespace planula {
 
 namespace {
 
-/// Members by score, species by the best score before this generation, highest first; equals keep their
-/// order.
+/// Members by score, species by the best score before this generation, highest first; equals keep their order.
 std::vector<Species> ranked(std::vector<Species> species, std::span<const double> scores) {
     for (auto &each : species)
         std::stable_sort(each.members.begin(), each.members.end(),
@@ -24,8 +23,8 @@ std::vector<Species> ranked(std::vector<Species> species, std::span<const double
     return species;
 }
 
-/// One generation passes. The mark of the best species goes to the first that holds the population's record;
-/// a species that loses it becomes young again.
+/// One generation passes. The mark of the best species goes to the first that holds the population's record; a species
+/// that loses it becomes young again.
 void grow_older(double record, std::vector<Species> &species) {
     const auto holder = std::find_if(species.begin(), species.end(),
                                      [&](const Species &each) { return each.best_ever >= record; });
@@ -90,8 +89,7 @@ double moved_threshold(double threshold, std::size_t species, const NeatParamete
     return std::max(threshold, parameters.compatibility_floor);
 }
 
-/// The next generation before any birth: the same species, empty, and a threshold that keeps their number in
-/// its range.
+/// The next generation before any birth: the same species, empty, and a threshold that keeps their number in its range.
 Population heir(const Population &population, std::span<const double> scores,
                 const std::vector<Species> &species, const NeatParameters &parameters) {
     Population next;
@@ -133,7 +131,7 @@ Population reproduce(const Population &population, std::span<const double> score
                                  : breed(parents, species[each], next.genomes, recurrent, parameters,
                                          next.innovations, stream));
         }
-    settle(parameters.population, next);
+    complete_generation(parameters.population, next);
     return next;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How a generation makes the next: the epoch of decision 0013 as MultiNEAT ran it (§2.7.1). Fitness is
-// shared within species, species share the offspring, each breeds an unchanged copy of its champion first,
-// and children choose their species by distance. Knows scores, not what they reward.
+// How a generation makes the next: the epoch of decision 0013 as MultiNEAT ran it (§2.7.1). Fitness is shared within
+// species, species share the offspring, each breeds an unchanged copy of its champion first, and children choose their
+// species by distance. Knows scores, not what they reward.
 //
 // All chance comes from one stream per child: (seed; new generation, order of birth, reproduction).
 #pragma once

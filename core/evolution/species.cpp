@@ -47,7 +47,7 @@ void add_child(const NeatParameters &parameters, Population &population, Genome 
     population.genomes.push_back(std::move(child));
 }
 
-void settle(int size, Population &population) {
+void complete_generation(int size, Population &population) {
     const int born = static_cast<int>(population.genomes.size());
     CHECK(born >= 1 && born <= size, born, size);
     std::erase_if(population.species, [](const Species &species) { return species.members.empty(); });

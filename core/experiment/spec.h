@@ -41,7 +41,7 @@ const char *name_of(Recording recording);
 struct Spec : Conditions {
     std::string name;            // of the setting: file-name characters, unique in its experiment
     std::string title;           // for people
-    std::string search = "neat"; // a name of make_search()
+    std::string search = "neat"; // a name of evolution/searches.inl
     Judge judge;                 // called on the main thread, in slot order
     std::optional<Start> start;  // none: generation 0 is random
     Recording record = Recording::full;

@@ -44,7 +44,7 @@ Population as_first(Population last, const NeatParameters &parameters) {
         genome.origin = Origin::initial;
         add_child(parameters, first, std::move(genome));
     }
-    settle(parameters.population, first);
+    complete_generation(parameters.population, first);
     return first;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two genomes side by side: their links in step by innovation, as NEAT compares and crosses them (§2.7.1).
-// Needs the links of both in ascending order of innovation.
+// Two genomes side by side: their links in step by innovation, as NEAT compares and crosses them (§2.7.1). Needs the
+// links of both in ascending order of innovation.
 #pragma once
 
 #include "genome/genome.h"
@@ -9,9 +9,9 @@ namespace planula {
 
 enum class Side { first, second };
 
-/// Walks the links of both genomes in ascending order of innovation and calls matching(of_a, of_b) for a link
-/// that both have, and alone(link, side, excess) for one that only `side` has; it is an excess link if it is
-/// newer than all links of the other genome, else a disjoint one.
+/// Walks the links of both genomes in ascending order of innovation and calls matching(of_a, of_b) for a link that both
+/// have, and alone(link, side, excess) for one that only `side` has; it is an excess link if it is newer than all links
+/// of the other genome, else a disjoint one.
 template <class Matching, class Alone>
 void align(const Genome &a, const Genome &b, Matching matching, Alone alone) {
     auto in_a = a.links.begin();

@@ -27,8 +27,8 @@ LinkGene inherit(const LinkGene &of_mother, const LinkGene &of_father, const Cro
     return link;
 }
 
-/// Inputs, outputs and the hidden nodes at the ends of links, in ascending order of id. A node has the same
-/// depth in all genomes of a run, so either parent's will do.
+/// Inputs, outputs and the hidden nodes at the ends of links, in ascending order of id. A node has the same depth in
+/// all genomes of a run, so either parent's will do.
 std::vector<NodeGene> needed_nodes(const Genome &mother, const Genome &father,
                                    const std::vector<LinkGene> &links) {
     const int ends = mother.inputs + mother.outputs;

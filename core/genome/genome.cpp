@@ -35,15 +35,15 @@ void check_node(const Genome &genome, int place) {
     if (node.kind != kind)
         broken(genome, said + " is of kind " + name_of(node.kind) + " in the place of kind " + name_of(kind));
     if (kind != NodeKind::hidden && node.id != place)
-        broken(genome, said + " stands in the place of node " + to_text(place));
+        broken(genome, said + " is in the place of node " + to_text(place));
     if (place > 0 && node.id <= genome.nodes[place - 1].id)
         broken(genome, said + " does not follow node " + to_text(genome.nodes[place - 1].id));
 
-    // Inputs lie at depth 0 and outputs at depth 1; the comparison also refuses NaN.
+    // Inputs have depth 0 and outputs depth 1; the comparison also refuses NaN.
     const double low = kind == NodeKind::output ? 1 : 0;
     const double high = kind == NodeKind::input || kind == NodeKind::bias ? 0 : 1;
     if (!(node.depth >= low && node.depth <= high))
-        broken(genome, said + " of kind " + name_of(kind) + " lies at depth " + to_text(node.depth));
+        broken(genome, said + " of kind " + name_of(kind) + " has depth " + to_text(node.depth));
 }
 
 void check_link(const Genome &genome, const LinkGene &link) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The genome of NEAT (Stanley & Miikkulainen 2002) as MultiNEAT kept it in 2013: a list of nodes and a list
-// of links, each with its historical marking. §2.7; decisions 0005 and 0013. A genome knows neither cells nor
-// bodies.
+// The genome of NEAT (Stanley & Miikkulainen 2002) as MultiNEAT kept it in 2013: a list of nodes and a list of links,
+// each with its historical marking. §2.7; decisions 0005 and 0013. A genome knows neither cells nor bodies.
 //
-// Invariants (check_genome): nodes ascend by id: inputs 0 … inputs-1 (the bias is the last), then outputs,
-// then hidden nodes; links ascend by innovation, and no two join the same ordered pair; every end of a link
-// is a node; no link enters an input. Node ids and innovations mean the same split or link in a whole run. In
-// a genome made without recurrence every link climbs in depth, so that the network is acyclic.
+// Invariants (check_genome): nodes ascend by id: inputs 0 … inputs-1 (the bias is the last), then outputs, then hidden
+// nodes; links ascend by innovation, and no two join the same ordered pair; every end of a link is a node; no link
+// enters an input. Node ids and innovations mean the same split or link in a whole run. In a genome made without
+// recurrence every link climbs in depth, so that the network is acyclic.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +31,7 @@ struct LinkGene {
     bool operator==(const LinkGene &) const = default;
 };
 
-/// How a genome came to be: the operator that made it and its parents' ids (-1 where there is none).
+/// The operator that made a genome and the ids of its parents (-1 where there is no parent).
 enum class Origin : std::uint8_t {
     initial,
     champion,

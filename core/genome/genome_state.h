@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Genomes of one run in saved state (base/state.h), column by column: numbers of one kind stand together, which is what
+// Genomes of one run in saved state (base/state.h), column by column: numbers of one kind are together, which is what
 // storage/packed.h shrinks most. Of each genome it is written where it comes from, which innovations it has and their
-// weights. All else follows from the run's record of innovations: what a link joins; that a genome's hidden nodes are those
-// at the ends of its links; and that a node lies halfway between the ends of the link whose split made it. Genomes read
-// back to the bit.
+// weights. All else follows from the run's record of innovations: what a link joins; that a genome's hidden nodes are
+// those at the ends of its links; and that a node is halfway between the ends of the link whose split made it. Genomes
+// read back to the bit.
 #pragma once
 
 #include "base/state.h"

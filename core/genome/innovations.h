@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The record of a whole run's structural innovations: the same link or split gets the same marking in every
-// genome (§2.7.1; MN keeps the record for the whole run).
+// The record of a whole run's structural innovations: the same link or split gets the same marking in every genome
+// (§2.7.1; MN keeps the record for the whole run).
 #pragma once
 
 #include "base/state.h"

@@ -61,8 +61,7 @@ Direction draw_direction(const NeatParameters &parameters, bool recurrent, Strea
     return stream.chance(parameters.loop_rate) ? Direction::loop : Direction::backward;
 }
 
-/// Links out of outputs count as backward; level links are forward, and would close cycles in an acyclic
-/// network.
+/// Links out of outputs count as backward; level links are forward, and would close cycles in an acyclic network.
 bool may_join(const NodeGene &from, const NodeGene &to, Direction direction, bool recurrent) {
     if (direction == Direction::loop) return true;
     if (direction == Direction::backward) return from.depth > to.depth;

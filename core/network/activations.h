@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The activations of many cells' copies of one network. Cells lie side by side in groups of eight, in each group a
-// row of eight numbers per node, so that one instruction works on several cells (network/kernel.h).
+// The activations of many cells' copies of one network. Cells are stored in groups of eight, in each group a row of
+// eight numbers per node, so that one instruction works on several cells (network/kernel.h).
 #pragma once
 
 #include <span>

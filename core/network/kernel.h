@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The networks' inner loop, one text (kernel_text.h) built for several instruction sets, of which one is taken at
-// run time (base/lane_sets.h).
+// The networks' inner loop, one text (kernel_text.h) built for several instruction sets, of which one is taken at run
+// time (base/lane_sets.h).
 #pragma once
 
 #include "base/lane_sets.h"

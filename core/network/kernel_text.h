@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The text of a kernel, as a template on the lanes that it works on: links outside, cells inside. Each lane is a cell
-// of its own, whose sums run over its links in their order, so the width changes no bit. Files that include this may
-// be built for instruction sets that not every processor has: all of it is internal to the file, and nothing of the
+// of its own, whose sums run over its links in their order, so the width changes no bit. Files that include this may be
+// built for instruction sets that not every processor has: all of it is internal to the file, and nothing of the
 // standard library is called, for the linker may keep one copy of such a function for the whole program.
 #pragma once
 

@@ -3,6 +3,8 @@
 
 #include "evaluation/life.h"
 
+#include "evolution/search.h"
+
 namespace planula {
 
 namespace {

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Another descriptor: novelty search over the shape of the journey, not only its end. Behaviour is a list of numbers of
+-- Another descriptor: novelty search over the shape of the path, not only its end. Behaviour is a list of numbers of
 -- any fixed length; distances between lists are Euclidean.
 local paper = require "paper"
 
@@ -11,7 +11,7 @@ end
 
 return paper.experiment {
   name = "heading",
-  title = "Novelty of the journey",
+  title = "Novelty of the path",
   search = "novelty",
   behaviour = behaviour,
 }

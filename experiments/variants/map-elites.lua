@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A map of the best swimmers of every size into every direction. Each of its niches spans 1 in every number of the
--- descriptor (parameter niche_width); archive.csv.gz lists who entered, and the last of a niche holds it.
+-- descriptor (parameter niche_width); archive.csv.gz lists all that entered; the last of a niche is its elite.
 local paper = require "paper"
 local descriptors = require "descriptors"
 

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Ground that is not flat, stated by points {x, y} from left to right; beyond the first and the last it goes
--- on level. Bodies start around x = 0. On these stairs it is novelty search that pays off for walking up, as it is
--- rewarded for places where nobody ended before.
+-- Ground that is not flat, stated by points {x, y} from left to right; beyond the first and the last it is level. Bodies
+-- start around x = 0. Novelty search leads animats up these stairs, since it rewards places where no animat ended before.
 local paper = require "paper"
 
 return paper.experiment {

@@ -3,7 +3,7 @@
 // command runs the same text even if a file changes during a long run. States of several threads may share them.
 //
 // Where `require "paper.judgement"` looks, first found wins: paper/judgement.lua, then
-// paper/judgement/init.lua, in the script's own folder, in each folder above it, and at last in the library
+// init.lua in paper/judgement, in the script's own folder, in each folder above it, and at last in the library
 // folder (the `experiments` folder of this program).
 #pragma once
 

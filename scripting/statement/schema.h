@@ -3,7 +3,7 @@
 //
 // - name, title: of the experiment
 // - actuation: "oscillator" or "grn"
-// - search: a name of make_search(): "neat", "novelty", "nsga2", "nslc", "map-elites"
+// - search: a name of evolution/searches.inl
 // - engine: a name of make_engine(): "native" (if not given), "reference", "bullet"
 // - environment: {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y}, actuation_range}
 // - parameters: {name = value}, departures from the standard values

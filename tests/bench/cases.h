@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "evaluation/conditions.h"
-#include "evolution/neighbours.h"
+#include "evolution/nearest_neighbours.h"
 #include "network/activations.h"
 #include "network/network.h"
 #include "physics/engine.h"

@@ -56,7 +56,7 @@ double life(Actuation actuation, const World &world) {
 
 double novelty_queries() {
     const PointIndex archive = end_points(2000, 1), asked = end_points(300, 2);
-    Nearest all(300);
+    NearestNeighbours all(300);
     asked.offer(std::vector{0.0, 0.0}, 0, all);
     double sum = 0;
     for (const Neighbour &each : all.list()) {

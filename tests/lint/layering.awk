@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Checks C++ sources against the rooms of core/ and scripting/, whose CMakeLists.txt are read first. See layering.sh.
+# Checks C++ sources against the room lines of the CMakeLists.txt that are read first. See layering.sh.
 
 function report(message) {
     printf "%s:%d: %s\n", FILENAME, FNR, message
@@ -14,14 +14,6 @@ function is_file(list,   stem) {
     stem = FILENAME
     sub(/\.[a-z]+$/, "", stem)
     return index(" " list " ", " " stem " ") > 0
-}
-
-# Marks all rooms that `top` reaches, itself included.
-function reach(top, next_room,   names, count, i) {
-    if ((top, next_room) in reachable) return
-    reachable[top, next_room] = 1
-    count = split(depends[next_room], names, " ")
-    for (i = 1; i <= count; i++) reach(top, names[i])
 }
 
 # The line without comments and without the text of string literals; a block comment may go on to the next line.
@@ -49,16 +41,32 @@ function code_of(line,   code, c, two, i, quote) {
     return code
 }
 
-# An include of the project's own, "room/file.h": it must exist and the room must be in reach.
+# An include of the project's own, "room/file.h": it must exist, and the room that includes it must list its room.
 function check_own(path,   target) {
     target = path
     sub(/\/.*/, "", target)
-    if (!(target in depends)) report("includes \"" path "\", which names no room")
-    else if (!((room, target) in reachable))
-        report("room " room " includes \"" path "\", but " folder[room] "/CMakeLists.txt gives it no way to " target)
-    else if (!((folder[target] "/" path) in exists)) report("includes \"" path "\", which does not exist")
+    if (!(target in depends)) { report("includes \"" path "\", which names no room"); return }
+    if (index(" " depends[room] " ", " " target " ")) used[room, target] = 1
+    else if (room != target) report("room " room " includes \"" path "\", but " home[room] "/CMakeLists.txt does not list " target " in its DEPENDS")
+    if (!((home[target] "/" path) in exists)) report("includes \"" path "\", which does not exist")
     if (path == "base/random.h" && !within("base genome evolution statistics experiment analysis"))
         report("room " room " draws random numbers; only base genome evolution statistics experiment analysis may")
+}
+
+# Of every room line: the rooms it names stand above it, and the room includes something of each.
+function check_rooms(   i, j, name, names, count) {
+    for (i = 1; i <= rooms; i++) {
+        name = room_at[i]
+        count = split(depends[name], names, " ")
+        for (j = 1; j <= count; j++)
+            if (!(names[j] in place) || place[names[j]] >= i) report_room(name, "no room " names[j] " stands above it")
+            else if (!((name, names[j]) in used)) report_room(name, "lists " names[j] ", but includes nothing of it")
+    }
+}
+
+function report_room(name, message) {
+    printf "%s/CMakeLists.txt:%d: room %s: %s\n", home[name], line_of[name], name, message
+    errors++
 }
 
 # An include of a system header.
@@ -84,15 +92,21 @@ BEGIN {
 FILENAME ~ /CMakeLists\.txt$/ {
     if (match($0, /^room\([a-z_]+/)) {
         name = substr($0, 6, RLENGTH - 5)
-        rest = $0
-        if (!sub(/^.*DEPENDS */, "", rest)) rest = ""
-        sub(/\).*/, "", rest)
-        count = split(rest, names, " ")
-        for (i = 1; i <= count; i++) if (!(names[i] in depends)) report("room " name " depends on " names[i] ", which is no room above it")
-        depends[name] = rest
-        folder[name] = FILENAME
-        sub(/\/.*/, "", folder[name])
-        rooms++
+        home[name] = FILENAME
+        sub(/\/.*/, "", home[name])
+        line_of[name] = FNR
+        room_at[++rooms] = name
+        place[name] = rooms
+        depends[name] = ""
+        in_room = 1
+        sub(/^room\([a-z_]+/, "")
+    }
+    if (in_room) {
+        in_room = !/\)/
+        sub(/\).*/, "")
+        sub(/DEPENDS/, "")
+        depends[name] = depends[name] " " $0
+        gsub(/ +/, " ", depends[name])
     }
     next
 }
@@ -101,14 +115,13 @@ FILENAME ~ /CMakeLists\.txt$/ {
 FNR == 1 {
     if (!prepared) {
         prepared = 1
-        for (name in depends) reach(name, name)
         for (i = 1; i < ARGC; i++) exists[ARGV[i]] = 1
     }
     split(FILENAME, parts, "/")
     room = parts[2]
     in_comment = 0
     files++
-    if (folder[room] != parts[1]) report("lies in a folder without a room line in " parts[1] "/CMakeLists.txt")
+    if (home[room] != parts[1]) report("lies in a folder without a room line in " parts[1] "/CMakeLists.txt")
 }
 
 { code = code_of($0) }
@@ -142,6 +155,7 @@ code ~ /lua_c?pcall *\(/ && parts[1] == "scripting" && !is_file("scripting/langu
 
 END {
     if (!rooms) { print "layering: no room line found"; errors++ }
+    check_rooms()
     if (errors) { printf "layering: %d violations\n", errors; exit 1 }
-    printf "layering: %d files in %d rooms keep to core/CMakeLists.txt and scripting/CMakeLists.txt\n", files, rooms
+    printf "layering: %d files in %d rooms include what their lines list, and all of it\n", files, rooms
 }

@@ -11,7 +11,7 @@ failed=0 checked=0
 # A project that keeps every rule, with words in comments and strings that would break them in code.
 fresh() {
     rm -rf "${project:?}"/*
-    mkdir -p "$project"/core/{base,genome,physics,development,record} "$project"/scripting/{language,program} "$project"/tests
+    mkdir -p "$project"/core/{base,genome,physics,development,record} "$project"/scripting "$project"/tests
     cp -r "$here" "$project/tests/lint"
     cat > "$project/core/CMakeLists.txt" <<'TXT'
 # SPDX-License-Identifier: MIT
@@ -19,12 +19,13 @@ room(base)
 room(parameters)
 room(genome      DEPENDS base)
 room(physics     DEPENDS base)
-room(development DEPENDS genome)
+room(development DEPENDS base
+                         genome)
 room(record      DEPENDS physics)
 TXT
-    printf '# SPDX-License-Identifier: MIT\nroom(language DEPENDS base)\nroom(program  DEPENDS language record)\n' > "$project/scripting/CMakeLists.txt"
+    printf '# SPDX-License-Identifier: MIT\nroom(language DEPENDS base)\nroom(program DEPENDS language record)\n' > "$project/scripting/CMakeLists.txt"
     local file
-    for file in base/random.h base/math.h base/parallel.h base/lanes.h base/text.h genome/genome.h physics/step.h record/write.h; do
+    for file in base/{random,math,parallel,lanes,text}.h genome/genome.h physics/step.h record/write.h; do
         printf '// SPDX-License-Identifier: MIT\n#pragma once\n' > "$project/core/$file"
     done
     cat >> "$project/core/base/math.h" <<'TXT'
@@ -48,10 +49,23 @@ TXT
     printf '// SPDX-License-Identifier: MIT\nPARAMETER(double, gravity, 5, 0, 9, "1", "ours", "weight")\n' > "$project/core/parameters/parameters.inl"
     printf '# Land\n\n`gravity` 5, `direction` down\n' > "$project/paper/decisions/0001-land.md"
     printf '%% SPDX-License-Identifier: MIT\n\\law{L1}{World} \\parameter{gravity}, \\choice{direction}: \\alternative{down}.\n' > "$project/paper/sections/rules.tex"
-    printf '#include <iostream>\n' >> "$project/core/record/write.h"
+    printf '#include "base/random.h"\n' >> "$project/core/genome/genome.h"
+    printf '#include "base/math.h"\n' >> "$project/core/physics/step.h"
+    printf '#include <iostream>\n#include "physics/step.h"\n' >> "$project/core/record/write.h"
+    mkdir "$project"/scripting/{language,program}
+    printf '# SPDX-License-Identifier: MIT\nclean: ## removes\nSEEDS ?= 1\n' > "$project/Makefile"
+    printf '%s\n' '# Read me' 'See `core/genome/genome.h`, [a page](paper/decisions/0001-land.md) (decision 0001), `gravity`, `make clean SEEDS=2`,' \
+        '`planula run core/base/math.h --seeds 1`, `grow()` and `tests/core/<room>/*_test.cpp`.' '```sh' 'cp core/base/math.h core/base/mine.h   # not `core/none.h`' \
+        'build/planula run core/base/mine.h' '```' '<!-- new: core/base/new.h -->' 'Make `core/base/new.h`.' > "$project/README.md"
+    printf '%s\n' '# Changelog' '## New' '`core/old.h` is gone.' '## Old' '`core/older.h`' > "$project/CHANGELOG.md"
+    mkdir -p "$project/tests/core/base"
+    printf '// SPDX-License-Identifier: MIT\n// See genome/genome.h, base/math.h. Like file.lua (decision 0001).\n' > "$project/tests/core/base/math_test.cpp"
+    printf '// SPDX-License-Identifier: MIT\n#include "base/text.h"\n' > "$project/scripting/language/state.h"
+    printf '// SPDX-License-Identifier: MIT\n#include "language/state.h"\n#include "record/write.h"\nconst char *names[] = {"run", "--seeds"};\n' > "$project/scripting/program/run.cpp"
+    LC_ALL=C awk -f "$project/tests/lint/rooms.awk" "$project"/{core,scripting}/CMakeLists.txt > "$project/paper/rooms.svg"
     printf '#include <thread>\n' >> "$project/core/base/parallel.h"
     printf '#include <immintrin.h>\n' >> "$project/core/base/lanes.h"
-    printf '// SPDX-License-Identifier: MIT\n#include "physics/step.h"\n' > "$project/scripting/program/main.cpp"
+    printf '// SPDX-License-Identifier: MIT\n#include "record/write.h"\n' > "$project/scripting/program/main.cpp"
 }
 
 # passes LINT: the clean project passes.
@@ -84,16 +98,21 @@ catches() {
 fresh
 passes layering.sh
 passes sources.sh
+passes documents.sh
+passes rooms.sh
 
 # Rooms.
-catches layering.sh 'gives it no way to physics' core/development/grow.cpp '#include "physics/step.h"'
-catches layering.sh 'gives it no way to development' core/physics/step.h '#include "development/grow.h"'
+catches layering.sh 'does not list physics' core/development/grow.cpp '#include "physics/step.h"'
+catches layering.sh 'does not list development' core/physics/step.h '#include "development/grow.h"'
+catches layering.sh 'does not list base' core/record/write.h '#include "base/math.h"'
+catches layering.sh 'does not list genome' scripting/language/state.h '#include "genome/genome.h"'
+catches layering.sh 'does not list program' scripting/language/state.h '#include "program/run.cpp"'
+catches layering.sh 'room statistics: lists base, but includes nothing of it' core/CMakeLists.txt 'room(statistics DEPENDS base)'
+catches layering.sh 'room tools: no room geometry stands above it' core/CMakeLists.txt 'room(tools DEPENDS geometry)\nroom(geometry)'
+catches layering.sh 'room view: lists record, but includes nothing of it' scripting/CMakeLists.txt 'room(view DEPENDS record)'
 catches layering.sh 'names no room' core/physics/step.h '#include "phisics/step.h"'
 catches layering.sh 'does not exist' core/physics/step.h '#include "base/vector.h"'
 catches layering.sh 'does not exist' scripting/program/main.cpp '#include "physics/missing.h"'
-catches layering.sh 'gives it no way to record' scripting/language/state.h '#include "record/write.h"'
-catches layering.sh 'gives it no way to language' core/record/write.h '#include "language/state.h"'
-catches layering.sh 'no room above it' core/CMakeLists.txt 'room(body DEPENDS language)'
 catches layering.sh 'without a room line' core/attic/old.cpp 'int x;'
 catches layering.sh 'without a room line' scripting/old.cpp 'int x;'
 catches layering.sh 'without a room line' scripting/physics/old.cpp 'int x;'
@@ -144,6 +163,23 @@ catches sources.sh 'no rule of the article describes' core/parameters/parameters
 catches sources.sh 'a rule that the article does not have' core/physics/step.h '// Gravity (ru''le L2).'
 catches sources.sh 'a rule that the article does not have' core/physics/step.h '// Gravity (§2.5; ru''les L1 to L3).'
 catches sources.sh 'a rule that the article does not have' paper/sections/more.tex '% SPDX-License-Identifier: MIT\nGravity (\\ru''l{L4}).'
+
+# Documentation.
+catches documents.sh 'core/genome/gone.h does not exist' README.md 'See `core/genome/gone.h`.'
+catches documents.sh 'core/gone/ does not exist' README.md 'Files `core/gone/`.'
+catches documents.sh 'tests/core/*_test.c does not exist' README.md 'Files `tests/core/*_test.c`.'
+catches documents.sh 'paper/gone.md does not exist' README.md 'A [page](paper/gone.md).'
+catches documents.sh 'gone.csv does not exist' README.md 'In `gone.csv`.'
+catches documents.sh 'no target `make dance`' README.md 'Say `make clean dance`.'
+catches documents.sh 'reads no variable PARTNERS' README.md 'Say `make clean PARTNERS=2`.'
+catches documents.sh 'has no command dance' README.md '```sh\nbuild/planula dance a.lua\n```'
+catches documents.sh 'has no option --partners' README.md 'Say `planula run core/base/math.h --partners 2`.'
+catches documents.sh 'nothing is called ether' paper/decisions/0001-land.md 'And `ether` 1.'
+catches documents.sh 'decision 0002 does not exist' paper/decisions/0001-land.md 'See page 0002.'
+catches documents.sh 'decision 0003 does not exist' core/physics/step.h '// See decision 0003.'
+catches documents.sh 'names genome/gone.h' core/physics/step.h 'int x; // as in genome/gone.h.'
+catches documents.sh 'names gone.lua' scripting/language/state.h '// What gone.lua says.'
+catches rooms.sh 'make architecture' core/CMakeLists.txt '# More.\nroom(more DEPENDS base)'
 
 if ((failed)); then
     echo "lint_test: $failed of $checked plants slip through"

@@ -6,19 +6,14 @@
 #
 #   sources.sh [ROOT]       ROOT is the checkout; by default the one this script lies in
 set -euo pipefail
-cd "${1:-$(dirname "$0")/../..}"
+here=$(cd "$(dirname "$0")" && pwd)
+cd "${1:-$here/../..}"
 export LC_ALL=C
 
-# Files under version control and new ones that are not ignored; without git, all but build/.
-list() {
-    { git ls-files --cached --others --exclude-standard 2> /dev/null || find . -type f -not -path './build/*' -not -path './.git/*'; } |
-        sed 's|^\./||' | sort | while IFS= read -r file; do [[ -f $file ]] && printf '%s\n' "$file"; done
-}
-mapfile -t files < <(list)
+source "$here/files.sh"
+mapfile -t files < <(files)
 sources=() texts=()
 for file in "${files[@]}"; do
-    # Recorded runs are as planula left them.
-    [[ $file != data/runs/* ]] || continue
     case $file in
         *.h | *.cpp | *.inl | *.in | *.lua | *.gp | *.tex | *.bib | *.sh | *.awk | *.cmake | *CMakeLists.txt | Makefile | .ci/run) sources+=("$file") ;;
     esac

@@ -32,6 +32,6 @@ trap 'rm -f "$log"' EXIT
 update() { "${as_root[@]}" apt-get -o Acquire::Retries=3 update > "$log" 2>&1 || { cat "$log" >&2; exit 1; }; }
 install() { "${as_root[@]}" apt-get "${options[@]}" install "${missing[@]}" < /dev/null > "$log" 2>&1; }
 
-# Without package lists nothing can be found; with old ones a file may be gone: then they are fetched anew, once.
+# Without package lists nothing can be found; with old ones a file may be gone: then they are fetched once more.
 compgen -G '/var/lib/apt/lists/*_Packages*' > /dev/null || update
 install || { update; install; } || { cat "$log" >&2; exit 1; }

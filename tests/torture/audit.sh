@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Alters a recorded run at random, again and again: digits, rows and generations of its tables and its chain, kept states,
-# files of another seed, the manifest, the identity, the scripts. `planula verify` must find each, without simulating, and
-# name the generation where one was altered.
+# Alters a recorded run at random, again and again: digits, rows and generations of its tables and its chain, saved states,
+# files of another seed, the manifest, the identity, the scripts. `planula verify` must find each alteration without
+# simulating, and must name the generation if one was altered.
 #
 #   audit.sh PROGRAM [ALTERATIONS] [SEED]      100 alterations, seed 1
 set -euo pipefail
@@ -22,7 +22,7 @@ for table in generations.csv sizes.csv.gz fitness_classes.csv.gz individuals.csv
     champion_genomes.csv.gz archive.csv.gz; do
     if (($(text_of "$whole/$table" | wc -l) > 1)); then tables+=("$table"); fi
 done
-((${#tables[@]} > 5)) || { echo 'audit: the run has hardly a table'; exit 1; }
+((${#tables[@]} > 5)) || { echo 'audit: the run has too few tables'; exit 1; }
 
 pick() { local -n list=$1; picked=${list[RANDOM % ${#list[@]}]}; }
 # edit FILE PROGRAM [NAME=VALUE…]: through awk.

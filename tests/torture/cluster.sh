@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# experiments/slurm.sh under a Slurm of its own: two nodes and their controller on this machine, in a temporary folder, with
-# ports of their own. 8 settings × 2 seeds run as a job array and meet everything that a cluster does to them: the
-# time limit, `scancel`, a process killed by the system, a node that goes down and comes back, a process that outlives its
-# node, and two tasks that ask for one run. The results must be those of one process, to the byte.
+# Runs experiments/slurm.sh under a Slurm that this script starts: two nodes and their controller on this machine, in a
+# temporary folder, with ports of their own. 8 settings × 2 seeds run as a job array and are interrupted in every way that a
+# cluster has: the time limit, `scancel`, a process killed by the system, a node that goes down and comes back, a process that
+# outlives its node, and two tasks that ask for one run. The results must be those of one process, to the byte.
 #
 #   cluster.sh PROGRAM
 #
-# That nothing depends on the speed of this machine, planula is held (SIGSTOP) in the midst of its work until what it waits
-# for has come. The time limit is a real one, the shortest that Slurm has: a minute, so that the signal of a minute before
-# comes with the controller's next look at its jobs, which is every 30 seconds.
+# So that nothing depends on the speed of this machine, planula is held (SIGSTOP) while it works, until the event that the test
+# waits for. The time limit is a real one, the shortest that Slurm has: one minute. The signal that is due a minute before it
+# therefore comes when the controller next looks at its jobs, which is every 30 seconds.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export LC_ALL=C
@@ -32,8 +32,8 @@ generations=1000
 mkdir "$folder"/{state,n1,n2,log,held,tmp}
 
 # ---- Processes of this test ------------------------------------------------------------------------------------------
-# mine [NAME=VALUE]: all processes that were started with this configuration, and this in their environment. Some daemons
-# overwrite their own; of those slurmstepd is the parent of a batch script.
+# mine [NAME=VALUE]: all processes with this configuration, and NAME=VALUE, in their environment. Some daemons overwrite
+# their environment; of those slurmstepd is the parent of a batch script.
 mine() {
     local file files
     files=$(grep -lzxF -- "SLURM_CONF=$SLURM_CONF" /proc/[0-9]*/environ 2> /dev/null) || true
@@ -45,7 +45,7 @@ mine() {
     done
 }
 name_of() { cat "/proc/$1/comm" 2> /dev/null || true; }
-# stepds PID…: those that are parents of these processes.
+# stepds PID…: the slurmstepd processes that are parents of these.
 stepds() {
     local pid parent
     for pid in "$@"; do
@@ -53,10 +53,10 @@ stepds() {
         [[ $(name_of "${parent:-0}") != slurmstepd* ]] || echo "$parent"
     done | sort -u
 }
-# children PID…: the processes that these have begun.
+# children PID…: the processes that these have started.
 children() { awk -v parents=" $* " '$1 == "PPid:" && index(parents, " " $2 " ") { split(FILENAME, part, "/"); print part[3] }' \
     /proc/[0-9]*/status 2> /dev/null || true; }
-# kill_all PID…: what looks after jobs first, which would tell how they ended.
+# kill_all PID…: first the daemons that watch jobs, which would report how these ended.
 kill_all() {
     local steps
     mapfile -t steps < <(stepds "$@")
@@ -125,7 +125,7 @@ within() { # within SECONDS WORD…: until a command succeeds
         sleep 0.2
     done
 }
-is() { [[ $1 == "$2" ]] || { echo "'$1' where '$2' is due" && return 1; }; }
+is() { [[ $1 == "$2" ]] || { echo "'$1', not '$2'" && return 1; }; }
 log_of() { echo "$folder/log/$1_$2.log"; } # log_of JOB TASK
 says() { grep -q -- "$2" "$1" 2> /dev/null; } # says FILE WORDS
 all_say() { # all_say WORDS FILE…
@@ -166,7 +166,7 @@ are_held() { # are_held NUMBER: so many
     mapfile -t pids < <(held)
     is "${#pids[@]}" "$1"
 }
-# Those to which USR1 has come go on.
+# Processes to which USR1 was sent continue.
 release_signalled() {
     local pid pending
     for pid in $(held); do
@@ -181,8 +181,7 @@ release() { # release PID…
 }
 
 # ---- The cluster -----------------------------------------------------------------------------------------------------
-# Slurm listens at the address of the machine's name, which is a loopback one or one that nothing leaves the machine for; at
-# any if the name has none.
+# Slurm listens at the address of the machine's name, so that nothing leaves the machine; at any address if the name has none.
 host=$(hostname -s) user=$(id -un)
 address=$(getent ahostsv4 "$host" | awk 'NR == 1 { print $1 }') || true
 listen=CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
@@ -190,7 +189,7 @@ listen=CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 is_free() { ! (: < "/dev/tcp/$address/$1") 2> /dev/null; }
 port=$((20000 + RANDOM % 10000))
 until is_free "$port" && is_free $((port + 1)) && is_free $((port + 2)); do port=$((port + 3)); done
-# A requeued job waits as long as a credential is valid: 5 seconds instead of 120. Nodes have more processors than they have.
+# A requeued job waits as long as a credential is valid: 5 seconds instead of 120. Nodes claim more processors than there are.
 cat > "$SLURM_CONF" << END
 ClusterName=planula
 SlurmctldHost=$host($address)
@@ -252,7 +251,7 @@ two=$(HOLD=2 PATIENCE=5 submit --array=1 -- --seeds 3 --only osc-aq-ns --out "$f
 main_logs=("$folder/log/${main}"_{1..16}.log)
 need 'every task begins to work, and one of two that ask for the same run' within 30 are_held 17
 
-# Meanwhile, what one process makes of it.
+# Meanwhile one process makes the same runs.
 one_process() {
     "$program" run "${design[@]}" --generations "$generations" --seeds 1:2 --out "$folder/whole" &&
         "$program" run "${design[@]}" --generations "$generations" --seeds 3 --only osc-aq-ns --out "$folder/whole"
@@ -263,18 +262,18 @@ whole=$!
 lost='another process has the run'
 one_has_lost() { says "$(log_of "$one" 1)" "$lost" || says "$(log_of "$two" 1)" "$lost"; }
 few=$(submit --array=3 -- --seeds 1:2 --out "$folder/a")
-check 'the other one ends and says why' within 30 one_has_lost
+check 'the other task ends and says why' within 30 one_has_lost
 loser=$one winner=$two
 if says "$(log_of "$two" 1)" "$lost"; then loser=$two winner=$one; fi
-check 'its exit code says so too' within 10 has_state "${loser}_1" FAILED
+check 'its state is FAILED' within 10 has_state "${loser}_1" FAILED
 check 'its exit code is 73' is "$(exit_of "${loser}_1")" 73:0
 check 'an array that is not 1 to N is refused without PARTS' within 10 has_state "${few}_3" FAILED
-check 'as a usage error' is "$(exit_of "${few}_3")" 2:0
+check 'with the exit code of a usage error' is "$(exit_of "${few}_3")" 2:0
 
 kept='stopped before the time limit; its state is kept'
 all_are_stopped() { release_signalled && all_say "$kept" "${main_logs[@]}" "$(log_of "$winner" 1)"; }
 need 'the time limit interrupts every task, and its state is kept' within 60 all_are_stopped
-need 'every task is requeued, and goes on' within 60 are_held 17
+need 'every task is requeued and continues' within 60 are_held 17
 check 'it is the second start of every task' all_say ': start 2 on ' "${main_logs[@]}"
 check 'the task that lost is not requeued' is "$(grep -c ': start ' "$(log_of "$loser" 1)")" 1
 
@@ -296,10 +295,10 @@ mapfile -t stray < <(held "${second[0]}.")
 mapfile -t pids < <(mine SLURMD_NODENAME=n2 | grep -vxF "${stray[0]}")
 kill -KILL "$second_node"
 kill_all "${pids[@]}"
-# The kernel lets a held process go on when those that began it are gone: HUP, then CONT.
+# The kernel continues a stopped process when its parents are gone: HUP, then CONT.
 for _ in {1..50}; do kill -STOP "${stray[0]}" && sleep 0.01; done
 scontrol update nodename=n2 state=down reason=test
-# Not the time limit is to end the wait for that process.
+# The wait for that process must not end by the time limit.
 scontrol update jobid="${second[0]}" timelimit=10
 mapfile -t pids < <(held | grep -vxF "${stray[0]}")
 release "${pids[@]}"
@@ -320,8 +319,8 @@ all_is_done() {
     fi
     [[ -z $(squeue -h -o %i) ]]
 }
-check 'all tasks come to an end' within 120 all_is_done
-check 'planula status could always tell how far they were' test ! -e "$folder/log/status"
+check 'all tasks end' within 120 all_is_done
+check 'planula status worked at all times' test ! -e "$folder/log/status"
 ends() { # ends TASK…: with a task that is done
     local task
     for task in "$@"; do
@@ -333,16 +332,16 @@ ends() { # ends TASK…: with a task that is done
     done
 }
 mapfile -t rest < <(printf "${main}_%d\n" {1..16} | grep -vxF -e "${first[0]}" -e "${first[1]}")
-check 'every task is done in the end' ends "${rest[@]}" "${winner}_1" "${again}_${first[0]#*_}" "${again}_${first[1]#*_}"
+check 'every task is done' ends "${rest[@]}" "${winner}_1" "${again}_${first[0]#*_}" "${again}_${first[1]#*_}"
 check 'one process is done' wait "$whole"
-check 'the runs of two folders can be gathered' "$program" merge "$folder/a" "$folder/b" --into "$folder/merged"
+check 'the runs of two folders can be merged' "$program" merge "$folder/a" "$folder/b" --into "$folder/merged"
 check 'they equal those of one process to the byte' diff -r "$folder/whole" "$folder/merged"
 tables() { "$program" reduce "${design[@]}" --seeds 1:2 --generations "$generations" --runs "$folder/$1" --out "$folder/$1-tables"; }
 check 'they are reduced to tables' tables merged
-check 'those of one process are' tables whole
-check 'to the same' diff -r "$folder/whole-tables" "$folder/merged-tables"
+check 'those of one process are too' tables whole
+check 'the tables are equal' diff -r "$folder/whole-tables" "$folder/merged-tables"
 left=$(find "$folder/a" "$folder/b" -path '*/progress/*')
-check 'no process has left its progress' is "$left" ''
+check 'no progress file is left' is "$left" ''
 check 'nothing is left running' stop_all
 stopped=yes
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Lets every single call of the system that a command makes for its files fail once: with a full disk, with a broken one, with
-# too many open files, without leave. A command that says it is done must have the right results, any other must name a file,
-# and the same command must then come to the right results without beginning anew what was complete or kept. The commands: a
-# run from its beginning and after a kill, a complete run that becomes longer, a merge into nothing and over a shorter run, and
-# reduce. Needs strace.
+# Makes each system call for files that a command makes fail once: disk full, input or output error, too many open files,
+# permission denied. A command that exits with 0 must have the right results; any other must name a file, and when it is run
+# once more it must reach the right results without repeating what was complete or saved. The commands: a run from its
+# beginning and after a kill, a complete run that is continued, a merge into an empty folder and over a shorter run, and reduce.
+# Needs strace.
 #
 #   faults.sh PROGRAM [EVERY]      every EVERYth call; 1: all of them
 set -euo pipefail
@@ -23,7 +23,7 @@ out=$folder/out
 "${run[@]}" --seeds 1:2 --generations 4 --out "$folder/two" 2> /dev/null
 reduce=("$program" reduce $script --population 6 --generations 4 --set development_steps=200 --set locomotion_steps=100)
 "${reduce[@]}" --runs "$folder/two" --out "$folder/tables" > /dev/null
-# A run that was killed once its first checkpoints were there.
+# A run that was killed after its first checkpoints.
 until [[ -d $folder/killed ]]; do
     rm -rf "$folder/begun"
     "${run[@]}" --seeds 1 --generations 4 --out "$folder/begun" 2> /dev/null &
@@ -33,7 +33,7 @@ until [[ -d $folder/killed ]]; do
     wait "$child" 2> /dev/null || mv "$folder/begun" "$folder/killed"
 done
 
-# Each job: what is there at first, what must be there in the end, and the command.
+# Each job: the files before, the files expected after, and the command.
 declare -A first=([begin]='' [resume]=killed [longer]=shorter [merge]='' [replace]=shorter [reduce]='')
 declare -A last=([begin]=whole [resume]=whole [longer]=whole [merge]=whole [replace]=whole [reduce]=tables)
 command_of() { # command_of JOB: sets `words`
@@ -47,7 +47,7 @@ set_out() {
     rm -rf "$out"
     if [[ -n ${first[$job]} ]]; then cp -r "$folder/${first[$job]}" "$out"; fi
 }
-# What a process says of itself while it runs is no result.
+# The progress file of a running process is not a result.
 is_right() { diff -rq -x progress "$folder/${last[$job]}" "$out" > "$folder/diff" 2>&1; }
 
 places=0 failed=0 bad=0
@@ -92,5 +92,5 @@ for job in begin resume longer merge replace reduce; do
         done
     done
 done
-echo "faults: $places calls failed once each, $failed commands ended with an error, $bad were not as they must be"
+echo "faults: $places calls failed once each, $failed commands ended with an error, $bad had wrong results"
 ((bad == 0))

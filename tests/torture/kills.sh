@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Kills a run at random moments until it has died so many times, asks for another length each time, damages a checkpoint now
-# and then, and compares every run that comes to an end with one of its length that nobody disturbed. A run that has all
-# generations is begun again. Then it kills `planula merge` a quarter as often.
+# Kills a run at random moments, the given number of times, with another length asked for each time and a checkpoint damaged
+# now and then. Every run that is completed must equal an undisturbed run of its length; then it is started from generation
+# 0 again. After that it kills `planula merge`, a quarter as often.
 #
 #   kills.sh PROGRAM [KILLS] [SEED]      200 kills, seed 1
 set -euo pipefail
@@ -11,14 +11,14 @@ program=$(realpath "$1") kills=${2:-200}
 RANDOM=${3:-1}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# Recurrent networks, an archive, the ground: everything that a run has to remember. Generations 25 and 50 have states that stay.
+# Recurrent networks, an archive, the ground: everything that a run has to save. The states before generations 25 and 50 stay.
 lengths=(5 12 26 27 51 60)
 setting=grn-te-ns
 run=("$program" run experiments/paper/replication.lua --only $setting --seeds 1 --population 12 --checkpoint 2
      --set development_steps=200 --set locomotion_steps=100)
 place=$folder/run/$setting/seed-001
 
-# whole LENGTH: the folder of an undisturbed run, made once.
+# whole LENGTH: the folder of an undisturbed run, which is made once.
 whole() {
     [[ -d $folder/whole-$1 ]] || "${run[@]}" --generations "$1" --out "$folder/whole-$1" > "$folder/said" 2>&1 || { cat "$folder/said" >&2; exit 1; }
     echo "$folder/whole-$1"
@@ -30,7 +30,7 @@ wait_some() { # wait_some MICROSECONDS: a random part of these
     local moment=$(((RANDOM * 32768 + RANDOM) % ($1 + 1)))
     sleep "$(printf '%d.%06d' $((moment / 1000000)) $((moment % 1000000)))"
 }
-# killed_or_done PROCESS: kills it; 0 if it had ended by itself, and well.
+# killed_or_done PROCESS: kills it; 0 if it had already ended without an error.
 killed_or_done() {
     local code=0
     kill -KILL "$1" 2> /dev/null || true
@@ -94,4 +94,4 @@ while ((merges < kills / 4)); do
     "$program" merge "$(whole 60)" --into "$folder/into" > "$folder/said" 2>&1 || { cat "$folder/said"; exit 1; }
     compare "$(whole 60)" "$folder/into"
 done
-echo "kills: $killed kills of runs, $longer while a complete run was to become longer, $damaged damaged checkpoints, $((compared + 1)) runs at an end as undisturbed ones; $merges kills of merges"
+echo "kills: $killed kills of runs, $longer while a complete run was continued, $damaged damaged checkpoints, $((compared + 1)) completed runs equal to undisturbed ones; $merges kills of merges"

@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Does the signature see every parameter of the model? Changes one after the other in every setting of
-# experiments/signature.lua: by a tenth, by one, to twice and half of it, or to each name of a choice, until the
-# signature changes. Only seeds and generations, which change no generation, and the parameters of statistics are left
-# out.
+# Does the signature depend on every parameter of the model? Changes one parameter after the other, in every setting of
+# experiments/signature.lua, until the signature changes: by a tenth, by one, to twice and half its value, or to each name of
+# a choice. Seeds and generations, which change no generation, and the parameters of statistics are left out.
 #
 #   parameters.sh PROGRAM [NAME…]      all parameters, unless some are named
 #
-# Prints each parameter that no change of it shows, and a last line that counts; fails if there is one.
+# Prints each parameter whose changes leave the signature as it is, and a last line that counts; fails if there is one.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 program=$(realpath "$1")
@@ -57,7 +56,7 @@ export -f changed names_of seen
 names=("$@")
 (($#)) || mapfile -t names < <("$program" parameters --csv |
     awk -F, 'NR > 1 && $1 != "Statistics" && $2 != "seeds" && $2 != "generations" { print $2 }')
-((${#names[@]})) || { echo "parameters: $program lists none" >&2; exit 1; }
+((${#names[@]})) || { echo "parameters: $program lists no parameter" >&2; exit 1; }
 printf '%s\n' "${names[@]}" | xargs -P "${JOBS:-$(nproc)}" -I {} bash -c 'seen {}' > "$folder/table"
 sort "$folder/table"
 unseen=$(grep -c 'NOT seen' "$folder/table") || true

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Compares `planula signature`, one hash over the runs of experiments/signature.lua, with tests/golden/signature, and
-# that with the one that the program was built to have, its model revision.
+# the latter with the hash that the program was built with, its model revision.
 #
 #   signature.sh PROGRAM          this program, as it is
-#   signature.sh --alternative    one more build: by clang++ where there is one, else by g++ without optimisation
+#   signature.sh --alternative    another build: by clang++ where it is installed, else by g++ without optimisation
 #   signature.sh --all            each compiler × {-O0, -O3} × {1, 2, 3, 7 threads} × {this processor, one whose libc
 #                                 sees neither AVX2 nor FMA}, and each width of lanes
 #

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_thread_that_waits_for_its_own_tasks_does_those_of_others)
     BOOST_TEST(done == 3);
 }
 
-BOOST_AUTO_TEST_CASE(the_first_job_that_throws_ends_the_work_and_is_told_of) {
+BOOST_AUTO_TEST_CASE(the_first_job_that_throws_ends_the_work_and_is_reported) {
     for (const int threads : {1, 2, 4}) {
         Crew crew(threads);
         int begun = 0;

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_brood_is_a_function_of_its_seed) {
     BOOST_TEST((pool.brood(20).genomes != pool.brood(20, 2).genomes));
 }
 
-BOOST_AUTO_TEST_CASE(nobody_breeds_from_nothing_or_from_another_shape) {
+BOOST_AUTO_TEST_CASE(a_brood_needs_parents_of_its_shape) {
     BOOST_CHECK_THROW(Pool(0).brood(3), InternalError);
     Pool pool(2);
     pool.genomes[1] = specimens::bare(3, 1);

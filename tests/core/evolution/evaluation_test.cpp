@@ -21,7 +21,7 @@ Evaluation load(std::string_view bytes) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(behaviours_must_be_there_finite_and_of_one_length) {
+BOOST_AUTO_TEST_CASE(behaviours_must_exist_be_finite_and_have_one_length) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [](const std::vector<Evaluation> &evaluations, std::size_t length = 0) {
         BOOST_CHECK_THROW(check_behaviours(evaluations, length), InputError);

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(it_remembers_nothing_but_its_name) {
     BOOST_CHECK_THROW(FitnessSearch(Parameters()).load(population, {}, short_of_one), InputError);
 }
 
-BOOST_AUTO_TEST_CASE(fitness_that_is_no_number_is_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(fitness_that_is_not_a_number_is_an_internal_error) {
     Population population;
     population.genomes.resize(1);
     FitnessSearch search{Parameters()};

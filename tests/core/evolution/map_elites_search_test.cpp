@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(parents_are_drawn_uniformly_from_the_elites) {
     for (const int elite : {1, 3, 5}) BOOST_TEST(std::abs(children[elite] - 2000) < 150);
 }
 
-BOOST_AUTO_TEST_CASE(without_elites_the_population_breeds) {
+BOOST_AUTO_TEST_CASE(without_elites_parents_are_drawn_from_the_population) {
     MapElitesSearch search(populations::frozen(300));
     const Population population = numbered(3, 0);
     const auto scores = search.score(population, std::vector<Evaluation>(3));

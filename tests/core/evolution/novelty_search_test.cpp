@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(novelty_is_taken_before_this_generation_enters_the_archive)
     BOOST_TEST(run.search.archive().size() == 3u);
 }
 
-BOOST_AUTO_TEST_CASE(archive_entries_tell_who_entered_when_and_how_novel) {
+BOOST_AUTO_TEST_CASE(archive_entries_state_who_entered_when_and_how_novel) {
     Run run(nearest(1));
     run.generation({at({0, 0}), at({0, 0}), at({0, 2})});
     BOOST_REQUIRE(run.search.archive().size() == 1u);
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_without_sharing) {
         (with_ages.genomes == reproduce(population, scores, Adjustment::age, false, aged.neat, 4).genomes));
 }
 
-BOOST_AUTO_TEST_CASE(a_saved_search_goes_on_as_if_it_had_never_stopped) {
+BOOST_AUTO_TEST_CASE(a_saved_search_resumes_as_if_it_had_not_been_stopped) {
     const auto live = [](Run &run, int first, int last) {
         std::vector<double> scores;
         for (int i = first; i < last; ++i) {

@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(parents_and_children_compete_by_front_then_by_crowding) {
     BOOST_TEST(search.archive().size() == 4u); // the one at 20; old ones do not enter again
 }
 
-BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_go) {
+BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_are_dropped) {
     // One front, fitness falling as novelty rises, and those of fitness 0 behind it.
     Parameters parameters = of(4);
     parameters.novelty.archive_threshold = 1e6;

@@ -287,7 +287,7 @@ inline std::string compare_species(std::uint32_t number) {
             }
         if (!placed) groups.push_back({next_id++, named, {named}});
     }
-    settle(size, population);
+    complete_generation(size, population);
 
     // The empty go, the first takes copies of its first member, and each is represented by its first.
     groups.erase(std::remove_if(groups.begin(), groups.end(),

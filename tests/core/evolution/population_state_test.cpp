@@ -57,7 +57,7 @@ Population loaded(const std::string &bytes, const NetworkShape &shape, const Par
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_saved_population_breeds_on_as_if_it_had_never_been_saved) {
+BOOST_AUTO_TEST_CASE(a_saved_population_continues_as_if_it_had_not_been_saved) {
     const Parameters parameters = small();
     for (const bool recurrent : {false, true}) {
         const NetworkShape shape{4, 2, recurrent};
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_population_that_its_innovations_do_not_explain_is_not_sav
     not_saved([](Population &p) { p.innovations = Innovations(4); });
 }
 
-BOOST_AUTO_TEST_CASE(any_damage_is_refused_or_leaves_a_population_that_can_breed) {
+BOOST_AUTO_TEST_CASE(any_damage_is_refused_or_leaves_a_population_that_can_reproduce) {
     const NetworkShape shape{3, 2, false};
     const Parameters parameters = small();
     Population population = initial_population(shape, parameters.neat, seed);
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(any_damage_is_refused_or_leaves_a_population_that_can_breed
     BOOST_TEST(bred > 100);
 }
 
-BOOST_AUTO_TEST_CASE(a_population_that_is_not_settled_is_not_saved) {
+BOOST_AUTO_TEST_CASE(an_incomplete_generation_is_not_saved) {
     Population population = populations::far_apart({2, 2});
     std::swap(population.species[0].members[0], population.species[0].members[1]);
     BOOST_CHECK_THROW(saved(population), InternalError);

@@ -42,7 +42,7 @@ void compare(bool is_recurrent, int last) {
 BOOST_AUTO_TEST_CASE(feed_forward_evolution_runs_like_multineat) { compare(false, 50); }
 BOOST_AUTO_TEST_CASE(recurrent_evolution_runs_like_multineat) { compare(true, 20); }
 
-BOOST_AUTO_TEST_CASE(printed_numbers_tell_how_far_they_are_rounded) {
+BOOST_AUTO_TEST_CASE(printed_numbers_show_how_far_they_are_rounded) {
     BOOST_TEST(rounding("300") == 0.5);
     BOOST_TEST(std::abs(rounding("0.375") - 0.0005) < 1e-15);
     BOOST_TEST(std::abs(rounding("3.9e-4") - 0.5e-5) < 1e-15);

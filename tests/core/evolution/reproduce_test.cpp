@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(the_first_species_at_the_record_holds_the_mark_by_what_was_
     BOOST_TEST(find(last, 2)->stagnation == 21);
 }
 
-BOOST_AUTO_TEST_CASE(nobody_is_marked_if_the_species_of_the_record_is_gone) {
+BOOST_AUTO_TEST_CASE(no_species_is_marked_if_the_species_of_the_record_is_gone) {
     Population population = far_apart({1, 1});
     population.best_ever = 10;
     population.species[0].best_ever = 4;
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(young_species_are_boosted_and_old_ones_are_not_while_shared
                per_element());
 }
 
-BOOST_AUTO_TEST_CASE(stagnating_species_breed_nothing_unless_best_or_rising_or_unshared) {
+BOOST_AUTO_TEST_CASE(stagnating_species_have_no_offspring_unless_best_or_rising_or_unshared) {
     Population population = far_apart({2, 2, 2, 2});
     population.best_ever = 9;
     const double best[] = {9, 5, 5, 5};
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(the_threshold_counts_species_before_extinction_and_places_t
     BOOST_TEST(next_of(pair, {1, 2}, parameters).species[0].id == 0);
 }
 
-BOOST_AUTO_TEST_CASE(a_species_that_breeds_nothing_still_takes_in_children) {
+BOOST_AUTO_TEST_CASE(a_species_without_offspring_still_receives_children) {
     // The champion of the first species lives near the second, which stagnates; the first is left empty.
     Population population = populations::of({{0, 4}, {4, 4}});
     population.best_ever = 9;
@@ -259,7 +259,7 @@ BOOST_AUTO_TEST_CASE(a_species_that_breeds_nothing_still_takes_in_children) {
     BOOST_TEST(next.genomes[0].mother == 0);
 }
 
-BOOST_AUTO_TEST_CASE(scores_that_are_not_numbers_or_too_few_are_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(scores_that_are_not_numbers_or_too_few_are_an_internal_error) {
     const Population population = far_apart({2});
     for (const std::vector<double> &scores : {std::vector<double>{1},
                                               {1, -1},

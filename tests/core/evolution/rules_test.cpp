@@ -59,7 +59,7 @@ bool has_cycle(const Genome &genome) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(numbers_of_the_library_are_the_librarys) {
+BOOST_AUTO_TEST_CASE(numbers_of_the_library_are_those_of_multineat) {
     const Parameters p;
     BOOST_TEST(p.neat.compatibility_threshold == 5);
     BOOST_TEST(p.neat.compatibility_floor == 0.2);
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(a_species_that_never_scored_has_the_floor_as_its_best) {
     BOOST_TEST(even.best_ever == 0);
 }
 
-BOOST_AUTO_TEST_CASE(who_loses_the_mark_breeds_as_a_young_species_at_once) {
+BOOST_AUTO_TEST_CASE(a_species_that_loses_the_mark_counts_as_young_at_once) {
     // The first has stagnated for long, but loses the mark to the second now: age and stagnation start anew before
     // the offspring is shared out, 1.1 to 1.
     Population population = far_apart({1, 1});

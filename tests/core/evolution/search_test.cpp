@@ -34,7 +34,8 @@ std::vector<ArchiveEntry> archive_of(const Search &search) {
     return {search.archive().begin(), search.archive().end()};
 }
 
-bool reads_behaviour(std::string_view name) { return name != "neat"; }
+/// A search with an archive reads behaviour; one without does not.
+bool reads_behaviour(std::string_view name) { return make_search(name, Parameters())->keeps_archive(); }
 
 void check_generation(const ToyRun &run) {
     const Population &p = run.population;
@@ -52,10 +53,15 @@ void check_generation(const ToyRun &run) {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(every_name_makes_its_search) {
-    for (const auto name : search_names()) {
-        BOOST_TEST(make_search(name, Parameters())->archive().empty());
-        BOOST_TEST(make_search(name, Parameters())->keeps_archive() == reads_behaviour(name));
+    std::set<std::string_view> names;
+    for (const SearchRow &row : search_rows()) {
+        BOOST_TEST(names.insert(row.name).second);
+        BOOST_TEST(!row.score.empty());
+        BOOST_TEST(make_search(row.name, Parameters())->archive().empty());
     }
+    BOOST_TEST(search_scores().starts_with("neat: fitness; novelty: "));
+    BOOST_TEST(!reads_behaviour("neat"));
+    for (const auto name : {"novelty", "nsga2", "nslc", "map-elites"}) BOOST_TEST(reads_behaviour(name));
     BOOST_TEST(make_search("novelty", Parameters())->archive_threshold() == 0.5);
     BOOST_TEST(make_search("map-elites", Parameters())->archive_threshold() == 0);
 }
@@ -70,9 +76,10 @@ BOOST_AUTO_TEST_CASE(an_unknown_name_is_answered_with_the_nearest_or_with_all) {
         return "";
     };
     BOOST_TEST(message_for("novelti") == "no search is called 'novelti'; did you mean 'novelty'?");
-    BOOST_TEST(message_for("simulated annealing") ==
-               "no search is called 'simulated annealing'; there are 'neat', 'novelty', 'nsga2', 'nslc', "
-               "'map-elites'");
+    const std::string message = message_for("simulated annealing");
+    BOOST_TEST(
+        message.starts_with("no search is called 'simulated annealing'; there are 'neat', 'novelty', "));
+    for (const auto name : search_names()) BOOST_TEST(message.find(name) != message.npos);
 }
 
 BOOST_AUTO_TEST_CASE(every_search_keeps_its_generations_whole) {
@@ -95,7 +102,7 @@ BOOST_AUTO_TEST_CASE(every_search_keeps_its_generations_whole) {
         }
 }
 
-BOOST_AUTO_TEST_CASE(every_search_lives_at_its_limits) {
+BOOST_AUTO_TEST_CASE(every_search_works_at_its_limits) {
     const auto constant = [](const Evaluation &evaluation) {
         return [evaluation](const Genome &) { return evaluation; };
     };
@@ -107,7 +114,7 @@ BOOST_AUTO_TEST_CASE(every_search_lives_at_its_limits) {
         {20, constant({})},                           // all invalid
         {2, constant({})},                            //
         {20, first_only},                             // one valid
-        {20, constant({0, {0, 0}, 1})},               // all equal, nobody moves
+        {20, constant({0, {0, 0}, 1})},               // all equal, none moves
         {20, constant({1e100, {1e100, -1e100}, 1})}}; // all equal and far away
     for (const auto name : search_names())
         for (const auto &[size, judge] : limits) BOOST_TEST_CONTEXT(name << ", " << size) {
@@ -127,7 +134,7 @@ BOOST_AUTO_TEST_CASE(every_search_is_a_function_of_its_seed) {
         }
 }
 
-BOOST_AUTO_TEST_CASE(every_search_goes_on_after_a_stop_as_if_there_had_been_none) {
+BOOST_AUTO_TEST_CASE(every_search_resumes_as_if_it_had_not_been_stopped) {
     for (const auto name : search_names())
         for (const int stop : {0, 1, 7}) BOOST_TEST_CONTEXT(name << ", " << stop) {
                 ToyRun through(name, of(20), 5), stopped(name, of(20), 5);

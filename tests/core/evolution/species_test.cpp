@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(a_distance_equal_to_the_threshold_is_compatible) {
     BOOST_TEST(population.species[0].members.size() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(a_stranger_founds_a_species_at_the_end_and_represents_it) {
+BOOST_AUTO_TEST_CASE(a_child_far_from_all_founds_a_species_at_the_end_and_represents_it) {
     const NeatParameters parameters;
     Population population = waiting();
     const std::int64_t first = population.next_genome;
@@ -62,19 +62,19 @@ BOOST_AUTO_TEST_CASE(a_stranger_founds_a_species_at_the_end_and_represents_it) {
     BOOST_TEST(population.next_species == 3);
 }
 
-BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_born) {
+BOOST_AUTO_TEST_CASE(representatives_do_not_change_before_the_generation_is_complete) {
     const NeatParameters parameters;
     Population population = waiting();
     add_child(parameters, population, with_weight(-3, population.innovations)); // 4.5 from 0
     add_child(parameters, population, with_weight(-6, population.innovations)); // 4.5 from -3, 9 from 0
     BOOST_TEST(population.species.size() == 3u);
-    settle(2, population);
+    complete_generation(2, population);
     BOOST_REQUIRE(population.species.size() == 2u);
     BOOST_TEST(population.species[0].representative.links[0].weight == -3);
     BOOST_TEST(population.species[0].age == 9);
 }
 
-BOOST_AUTO_TEST_CASE(settling_orders_slots_by_species_and_drops_the_empty) {
+BOOST_AUTO_TEST_CASE(completing_a_generation_orders_slots_by_species_and_drops_the_empty) {
     const NeatParameters parameters;
     Population population = populations::of({{0}, {7}, {3}});
     for (auto &species : population.species) species.members.clear();
@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(settling_orders_slots_by_species_and_drops_the_empty) {
     for (const double weight : {5.0, 1.0, 6.0, 2.0})
         add_child(parameters, population, with_weight(weight, population.innovations));
     population.species[1].representative.links[0].weight = 1000;
-    settle(4, population);
+    complete_generation(4, population);
     std::vector<double> weights;
     for (const auto &genome : population.genomes) weights.push_back(genome.links[0].weight);
     BOOST_TEST(weights == (std::vector<double>{1, 2, 5, 6}), boost::test_tools::per_element());
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_deficit_is_filled_with_copies_of_the_first_species_first_
     for (const double weight : {5.0, 1.0, 2.0})
         add_child(parameters, population, with_weight(weight, population.innovations));
     const std::int64_t first = population.genomes[1].id, next = population.next_genome;
-    settle(5, population);
+    complete_generation(5, population);
     BOOST_REQUIRE(population.genomes.size() == 5u);
     BOOST_TEST(populations::sizes(population) == (std::vector<int>{4, 1}), boost::test_tools::per_element());
     for (const int slot : {2, 3}) {
@@ -109,10 +109,10 @@ BOOST_AUTO_TEST_CASE(a_deficit_is_filled_with_copies_of_the_first_species_first_
     }
 }
 
-BOOST_AUTO_TEST_CASE(no_children_or_too_many_are_a_broken_promise) {
+BOOST_AUTO_TEST_CASE(no_children_or_too_many_are_an_internal_error) {
     const NeatParameters parameters;
     Population population = waiting();
-    BOOST_CHECK_THROW(settle(2, population), InternalError);
+    BOOST_CHECK_THROW(complete_generation(2, population), InternalError);
     for (int i = 0; i < 3; ++i) add_child(parameters, population, with_weight(0, population.innovations));
-    BOOST_CHECK_THROW(settle(2, population), InternalError);
+    BOOST_CHECK_THROW(complete_generation(2, population), InternalError);
 }

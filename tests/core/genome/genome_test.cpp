@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(every_broken_rule_of_nodes_is_named) {
 
     genome = sound();
     genome.nodes[3].id = 5;
-    BOOST_TEST(refused(genome, "node 5 stands in the place of node 3"));
+    BOOST_TEST(refused(genome, "node 5 is in the place of node 3"));
 
     genome = sound();
     genome.nodes.push_back({6, NodeKind::hidden, 0.5});

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(splits_of_a_link_are_remembered_in_order) {
     BOOST_TEST(innovations.next_node() == 8);
 }
 
-BOOST_AUTO_TEST_CASE(what_a_link_joins_and_what_was_split_for_a_node_is_on_record) {
+BOOST_AUTO_TEST_CASE(the_ends_of_a_link_and_the_link_split_for_a_node_are_on_record) {
     Innovations innovations(5);
     for (const int from : {0, 3, 0}) innovations.link(from, 4);
     for (const int from : {0, 3, 0}) innovations.new_split(from, 4);
@@ -74,7 +74,7 @@ Innovations loaded(const std::string &bytes) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_saved_record_goes_on_as_if_it_had_never_been_saved) {
+BOOST_AUTO_TEST_CASE(a_saved_record_continues_as_if_it_had_not_been_saved) {
     Innovations kept = sample(), back = loaded(saved(kept));
     BOOST_TEST(saved(back) == saved(kept));
     for (Innovations *record : {&kept, &back}) {

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_node_is_tanh_of_the_weighted_sum_of_its_sources) {
     BOOST_TEST(activations.at(0, 2) == 0.14888503362331795, boost::test_tools::tolerance(1e-15)); // tanh 0.15
 }
 
-BOOST_AUTO_TEST_CASE(a_feed_forward_network_runs_as_many_steps_as_it_is_deep_and_forgets) {
+BOOST_AUTO_TEST_CASE(a_feed_forward_network_runs_as_many_steps_as_it_is_deep_and_keeps_no_state) {
     Genome genome = with_hidden();
     add_link(genome, 0, 3, 2);
     add_link(genome, 3, 2, 1);
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(depth_is_the_longest_path_to_an_output_and_capped) {
     BOOST_TEST(express(genome, 16).depth == 16);
 }
 
-BOOST_AUTO_TEST_CASE(an_output_without_links_is_silent) {
+BOOST_AUTO_TEST_CASE(an_output_without_links_is_zero) {
     const Network network = express(specimens::bare_genome(2, 1), 16);
     BOOST_TEST(network.depth == 0);
     Activations activations = one_cell({1, 1, 0.5});
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(the_tanh_of_every_lane_has_the_bits_of_the_one_number) {
     });
 }
 
-BOOST_AUTO_TEST_CASE(a_cell_whose_activation_is_no_number_is_noticed_and_the_others_go_on) {
+BOOST_AUTO_TEST_CASE(an_activation_that_is_not_a_number_is_reported_and_other_cells_are_unaffected) {
     Genome genome = specimens::bare_genome(1, 1);
     add_link(genome, 0, 1, 1);
     const Network network = express(genome, 16);

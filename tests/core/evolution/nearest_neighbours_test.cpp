@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "evolution/neighbours.h"
+#include "evolution/nearest_neighbours.h"
 
 #include "base/error.h"
 #include "core/genome/specimens.h"
@@ -31,7 +31,7 @@ std::vector<Neighbour> by_sorting(const std::vector<Point> &points, const Point 
 }
 
 std::vector<Neighbour> nearest(const PointIndex &index, const Point &place, int k) {
-    Nearest result(k);
+    NearestNeighbours result(k);
     index.offer(place, 0, result);
     return result.list();
 }
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(others_may_be_offered_beside_the_index) {
     PointIndex index;
     index.add(Point{0});
     index.add(Point{5});
-    Nearest nearest(2);
+    NearestNeighbours nearest(2);
     nearest.offer({4, 0});
     nearest.offer({1, 1});
     index.offer(Point{0.5}, 10, nearest);

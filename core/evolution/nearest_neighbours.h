@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The nearest points of a growing cloud: a k-d tree (Bentley 1975, Friedman, Bentley & Finkel 1977) with a
-// list of latecomers, built again whenever these have become many. The cloud never forgets.
+// The nearest points of a growing set: a k-d tree (Bentley 1975, Friedman, Bentley & Finkel 1977) and a list of points
+// that were added later; the tree is built again when they have become many. No point is ever removed.
 //
 // The answer is that of a search through all points, to the bit: order is by squared distance, summed over the
-// coordinates from first to last, and among equals by index. A branch of the tree is passed over only if its
-// box lies beyond the last neighbour; the distance to the box is summed in the same order, and rounding is
-// monotonic, so that it never exceeds the computed distance of a point inside.
+// coordinates from first to last, and among equals by index. A branch of the tree is passed over only if its box is
+// farther than the last neighbour; the distance to the box is summed in the same order, and rounding is monotonic, so
+// that it never exceeds the computed distance of a point inside.
 #pragma once
 
 #include <compare>
@@ -29,9 +29,9 @@ inline double squared_distance(std::span<const double> a, std::span<const double
 }
 
 /// The k first of the neighbours offered, in ascending order.
-class Nearest {
+class NearestNeighbours {
   public:
-    explicit Nearest(int k) : k_(static_cast<std::size_t>(k)) {}
+    explicit NearestNeighbours(int k) : k_(static_cast<std::size_t>(k)) {}
 
     void offer(Neighbour neighbour) {
         if (open_to(neighbour.squared)) insert(neighbour);
@@ -55,7 +55,7 @@ class PointIndex {
     /// Adds a finite point; all have one length, at least 1. Its index is the number of those before it.
     void add(std::span<const double> point);
     /// Offers the nearest points to a place, their indices counted from `first_index`.
-    void offer(std::span<const double> place, std::size_t first_index, Nearest &nearest) const;
+    void offer(std::span<const double> place, std::size_t first_index, NearestNeighbours &nearest) const;
 
   private:
     /// Points begin … end - 1 of the tree, in a box; a leaf has no branches.
@@ -68,7 +68,8 @@ class PointIndex {
     int build(std::size_t begin, std::size_t end);
     std::size_t enclose(std::size_t begin, std::size_t end);
     double squared_distance_to(const Branch &branch, std::span<const double> place) const;
-    void offer(int branch, std::span<const double> place, std::size_t first_index, Nearest &nearest) const;
+    void offer(int branch, std::span<const double> place, std::size_t first_index,
+               NearestNeighbours &nearest) const;
 
     std::size_t dimensions_ = 0;
     std::vector<double> points_;      // in order of index

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "evolution/neighbours.h"
+#include "evolution/nearest_neighbours.h"
 
 #include "base/check.h"
 
@@ -11,12 +11,12 @@ namespace planula {
 namespace {
 
 constexpr std::size_t leaf_size = 16;
-// So many latecomers are looked through one by one before the tree is built again.
+// The number of points outside the tree after which it is built again.
 std::size_t patience(std::size_t in_tree) { return 64 + in_tree / 32; }
 
 } // namespace
 
-void Nearest::insert(Neighbour neighbour) {
+void NearestNeighbours::insert(Neighbour neighbour) {
     if (neighbours_.size() == k_) {
         if (!(neighbour < neighbours_.back())) return;
         neighbours_.pop_back();
@@ -91,7 +91,7 @@ double PointIndex::squared_distance_to(const Branch &branch, std::span<const dou
 }
 
 void PointIndex::offer(int branch, std::span<const double> place, std::size_t first_index,
-                       Nearest &nearest) const {
+                       NearestNeighbours &nearest) const {
     const Branch &here = branches_[branch];
     if (here.lower < 0) {
         for (std::size_t at = here.begin; at < here.end; ++at)
@@ -99,7 +99,7 @@ void PointIndex::offer(int branch, std::span<const double> place, std::size_t fi
                            first_index + sorted_[at]});
         return;
     }
-    // The nearer half first: it may spare the other.
+    // The nearer half first: then the other is often passed over.
     std::pair near(squared_distance_to(branches_[here.lower], place), here.lower);
     std::pair far(squared_distance_to(branches_[here.upper], place), here.upper);
     if (far < near) std::swap(near, far);
@@ -107,7 +107,8 @@ void PointIndex::offer(int branch, std::span<const double> place, std::size_t fi
         if (nearest.open_to(squared)) offer(half, place, first_index, nearest);
 }
 
-void PointIndex::offer(std::span<const double> place, std::size_t first_index, Nearest &nearest) const {
+void PointIndex::offer(std::span<const double> place, std::size_t first_index,
+                       NearestNeighbours &nearest) const {
     if (size() == 0) return;
     CHECK(place.size() == dimensions_, place.size(), dimensions_);
     if (!branches_.empty()) offer(0, place, first_index, nearest);
