@@ -17,7 +17,7 @@ inline bool move(const Genome &genome, const Conditions &conditions, Lockstep &l
     const Network network = express(genome, p.network.propagation_limit);
     const Growth growth = grow(network, conditions.actuation, p);
     if (growth.outcome != Outcome::viable) return false;
-    const SoftBodyModel model = soft_body(growth.body, conditions.environment, p);
+    const SoftBodyModel model = embody(growth.body, conditions.environment, p.body, p.development.time_step);
     const auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, p);
     locomote(model, conditions.environment, conditions.actuation_range, p, *gait, lockstep);
     return true;
