@@ -3,8 +3,8 @@
 // shell follow from that. Options are written --name value or --name=value; "--" ends them.
 //
 // A library would not make this shorter: CLI11 2.1 (Debian 12) suggests no names and completes nothing, reports a misspelt
-// command as a missing one, splits `--set [a,b]`, takes the script for a second value in `--set a=1 script.lua`, and its
-// help is not wrapped.
+// command as a missing one, splits `--set [a,b]`, takes the script for a second value of a `--set` before it, and does not
+// wrap its help.
 #pragma once
 
 #include <filesystem>
