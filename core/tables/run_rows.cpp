@@ -208,7 +208,7 @@ SpeciesRow species_row(const Generation &g, const Species &species) {
                    .size = static_cast<int>(species.members.size()),
                    .age = species.age,
                    .stagnation = species.stagnation,
-                   .mark = species.best ? 1 : 0,
+                   .was_best = species.best ? 1 : 0,
                    .best_ever = species.best_ever,
                    .representative = species.representative.id};
     for (const int slot : species.members) {

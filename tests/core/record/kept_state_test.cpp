@@ -52,7 +52,7 @@ Population late_population() {
         for (LinkGene &link : child.links) link.weight = stream.triangular();
         add_child(parameters.neat, population, child);
     }
-    settle(parameters.neat.population, population);
+    complete_generation(parameters.neat.population, population);
     for (int generation = 0; generation < 10; ++generation) {
         std::vector<double> scores(population.genomes.size());
         for (double &score : scores) score = stream.uniform();

@@ -254,14 +254,14 @@ BOOST_AUTO_TEST_CASE(every_species_has_a_row_in_every_generation) {
     BOOST_TEST(rows[0].species == 7);
     BOOST_TEST(rows[0].size == 1);
     BOOST_TEST(rows[0].best_score == 4);
-    BOOST_TEST(rows[0].mark == 0);
+    BOOST_TEST(rows[0].was_best == 0);
     const SpeciesRow &row = rows[1];
     BOOST_TEST(row.generation == 0);
     BOOST_TEST(row.species == 9);
     BOOST_TEST(row.size == 3);
     BOOST_TEST(row.age == 3);
     BOOST_TEST(row.stagnation == 2);
-    BOOST_TEST(row.mark == 1);
+    BOOST_TEST(row.was_best == 1);
     BOOST_TEST(row.best_score == 2);
     BOOST_TEST(row.mean_score == 1);
     BOOST_TEST(row.best_ever == 2.5);
