@@ -49,7 +49,7 @@ void novelty_query(benchmark::State &state, int archived) {
     const PointIndex archive = end_points(archived, 1);
     double x = -10;
     for (auto _ : state) {
-        Nearest nearest(NoveltyParameters{}.novelty_neighbours);
+        NearestNeighbours nearest(NoveltyParameters{}.novelty_neighbours);
         archive.offer(std::vector{x, 0.5 * x}, 0, nearest);
         benchmark::DoNotOptimize(nearest.list().back());
         x = x > 10 ? -10 : x + 0.37;

@@ -60,7 +60,7 @@ double novelty_queries() {
     asked.offer(std::vector{0.0, 0.0}, 0, all);
     double sum = 0;
     for (const Neighbour &each : all.list()) {
-        Nearest nearest(NoveltyParameters{}.novelty_neighbours);
+        NearestNeighbours nearest(NoveltyParameters{}.novelty_neighbours);
         archive.offer(std::vector{each.squared, 1.0}, 0, nearest);
         sum += nearest.list().back().squared;
     }

@@ -73,11 +73,11 @@ BOOST_AUTO_TEST_CASE(every_broken_rule_of_nodes_is_named) {
     for (const double depth : {-0.1, 1.5, std::numeric_limits<double>::quiet_NaN()}) {
         genome = sound();
         genome.nodes[5].depth = depth;
-        BOOST_TEST(refused(genome, "node 7 of kind hidden lies at depth"));
+        BOOST_TEST(refused(genome, "node 7 of kind hidden has depth"));
     }
     genome = sound();
     genome.nodes[3].depth = 0.5;
-    BOOST_TEST(refused(genome, "node 3 of kind output lies at depth 0.5"));
+    BOOST_TEST(refused(genome, "node 3 of kind output has depth 0.5"));
 }
 
 BOOST_AUTO_TEST_CASE(every_broken_rule_of_links_is_named) {
