@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- What the section on readings takes from readings.csv and readings_heredity.csv: the tables of the readings of
--- experiments/readings.lua, and the size of the data behind them. open() is called first.
+-- The numbers and tables of the section on readings, from readings.csv and readings_heredity.csv: the readings of
+-- experiments/readings.lua, and the size of their data. open() is called first.
 local csv = require 'csv'
 local typeset = require 'typeset'
 local row_of, print_tabular = typeset.row_of, typeset.print_tabular
@@ -8,28 +8,28 @@ local readings = {}
 local runs, heredity
 
 -- In the order of the tables, in groups: the name in the script; the name in the tables; what differs from the standard;
--- the same in words; the pages of the ledger; and what the names of its settings hold if it concerns only some.
+-- the same in words; the pages of the ledger; and a part of the names of its settings if it concerns only some settings.
 local groups = {
-  { { 'standard', '\\textbf{standard}', nil, 'nobody takes the direction of a division; an orientation turns with the tissue; divisions at most '
-      .. '\\parameter{division_angle_range} half turns off; weights of generation 0 up to \\parameter{start_weight}, weight mutations up to \\parameter{weight_power}', '0002, 0013' },
+  { { 'standard', '\\textbf{standard}', nil, 'neither cell takes the direction of a division; an orientation turns with the tissue; division angles up to '
+      .. '\\parameter{division_angle_range} half turns; weights of generation 0 up to \\parameter{start_weight}, weight mutations up to \\parameter{weight_power}', '0002, 0013' },
     { 'earlier', 'earlier standard', 'five of those below', 'the standard of this replication before heredity was measured: '
-      .. 'differs as both turn, plane, range 1, start weights 1 and mutations 1 do, at once', '0020' } },
+      .. 'combines both turn, plane, range 1, start weights 1 and mutations 1', '0020' } },
   { { 'both-turn', 'both turn', 'division_turn = both', 'mother and daughter take the direction of the division', '0002' },
-    { 'daughters', 'daughter turns', 'division_turn = daughter', 'the daughter alone takes it', '0002' },
+    { 'daughters', 'daughter turns', 'division_turn = daughter', 'only the daughter takes it', '0002' },
     { 'plane', 'plane', 'orientation_frame = plane', 'an orientation keeps its direction in the plane, however the tissue turns', '0002' },
-    { 'range-1', 'range 1', 'division_angle_range = 1', 'divisions at most 1 half turn off', '0002' },
-    { 'range-025', 'range 0.25', 'division_angle_range = 0.25', 'divisions at most 0.25 half turns off', '0002' },
-    { 'clearance', 'clearance 0.75', 'division_clearance = 0.75', 'a daughter needs this distance to other cells, instead of \\parameter{division_clearance}', '0002' } },
+    { 'range-1', 'range 1', 'division_angle_range = 1', 'division angles up to 1 half turn', '0002' },
+    { 'range-025', 'range 0.25', 'division_angle_range = 0.25', 'division angles up to 0.25 half turns', '0002' },
+    { 'clearance', 'clearance 0.75', 'division_clearance = 0.75', 'a daughter must have this distance to other cells, instead of \\parameter{division_clearance}', '0002' } },
   { { 'start-1', 'start weights 1', 'start_weight = 1', 'weights of generation 0 up to 1', '0013' },
     { 'power-1', 'mutations 1', 'weight_power = 1', 'weight mutations up to 1', '0013' } },
-  { { 'rising', 'time rises', 'gait_time = rising', 'the time that networks read goes on rising while they move (GRN only)', '0012', 'grn' },
-    { 'present', 'present place', 'gait_place = present', 'moving networks read the place where a cell is now (GRN only)', '0012', 'grn' },
+  { { 'rising', 'time rises', 'gait_time = rising', 'the time input keeps rising during locomotion (GRN only)', '0012', 'grn' },
+    { 'present', 'present place', 'gait_place = present', 'during locomotion, networks read the present place of their cell (GRN only)', '0012', 'grn' },
     { 'aged', 'aged species', 'novelty_species = aged', 'novelty search keeps the factors of young and stagnating species (NS only)', '0014', '-ns' } },
 }
 local combinations = { 'osc-aq', 'osc-te', 'grn-aq', 'grn-te' }
 local dash, blank_pair = '--', '\\multicolumn{2}{c}{}'
 
--- Reads both tables; a reading that the tables have and this page does not is an error.
+-- Reads both tables; a reading that is in the tables but not in the list above is an error.
 function readings.open(folder)
   runs, heredity = csv.read(folder .. '/readings.csv'), csv.read(folder .. '/readings_heredity.csv')
   for _, row in ipairs(runs) do
@@ -39,7 +39,7 @@ function readings.open(folder)
         known = known or row.setting:match '^(.*)%-%w+%-%w+%-%w+$' == reading[1]
       end
     end
-    assert(known, 'readings.csv has a reading that paper/readings.lua has not: ' .. row.setting)
+    assert(known, 'readings.csv has a reading that paper/readings.lua does not list: ' .. row.setting)
   end
 end
 
@@ -47,7 +47,7 @@ end
 
 function readings.generations() return typeset.show(runs[1].generations) end
 
--- How many runs the settings have: so many, or from the least to the most.
+-- The number of runs of the settings: one number, or the lowest and the highest.
 function readings.runs()
   local count, low, high = {}, math.huge, 0
   for _, row in ipairs(runs) do count[row.setting] = (count[row.setting] or 0) + 1 end
@@ -55,7 +55,7 @@ function readings.runs()
   return (low == high and tostring(low) or low .. ' to ' .. high) .. (high == 1 and ' run' or ' runs')
 end
 
--- The generations of the table of heredity, from 0; of these, the ones in the second half of the runs.
+-- The generations of the table of heredity, counted from 0: all, or only those in the second half of the runs.
 local function recorded(late)
   local seen, list = {}, {}
   for _, row in ipairs(heredity) do
@@ -105,7 +105,7 @@ local function of(rows, reading, combination, search)
   return chosen
 end
 
--- Whether the data have a reading at all in this combination and search.
+-- Whether the data have runs of a reading in this combination and search.
 local function is_there(...) return #of(runs, ...) > 0 end
 
 local function decimal(value) return value == '' and dash or (('%.2f'):format(value):gsub('^%-', '$-$')) end
@@ -136,14 +136,14 @@ local function cyclic_cell(reading, combination, search)
   return at(readings.first_generation()) .. ' & ' .. at(readings.last_generation())
 end
 
--- The fewest and the most cells of a run's best, of both searches.
+-- The fewest and the most cells of the best individual of a run, over both searches.
 local function size_cell(reading, combination)
   local cells = csv.numbers(of(runs, reading, combination), 'best_cells')
   table.sort(cells)
   return #cells == 0 and '' or ('%d--%d'):format(cells[1], cells[#cells])
 end
 
--- The median best fitness of each search, and in how many seeds novelty search has the higher one.
+-- The median best fitness of each search, and the number of seeds in which novelty search has the higher best fitness.
 local function outcome_cells(reading, combination)
   local neat, ns = of(runs, reading, combination, 'neat'), of(runs, reading, combination, 'ns')
   local function middle(rows) return #rows > 0 and ('%.1f'):format(csv.median(csv.numbers(rows, 'best_fitness'))) or '' end
@@ -204,7 +204,7 @@ local function heads(columns)
   return ' & ' .. row_of(first), table.concat(rules)
 end
 
--- What the readings are.
+-- The list of readings.
 function readings.print_list()
   local lines = {}
   for index, group in ipairs(groups) do
@@ -241,7 +241,7 @@ function readings.print_bodies()
   end))
 end
 
--- What was not looked at for the choice.
+-- The results that were not considered in the choice.
 function readings.print_outcome()
   local first, rules = heads(3)
   print_tabular('l' .. ('@{\\hskip13pt}rrr'):rep(4), { first, rules, 'reading' .. (' & NEAT & NS & ahead'):rep(4) .. ' \\\\' },

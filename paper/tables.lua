@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- What paper.tex takes from the tables: numbers for the prose and whole tables, so that nothing on the page that comes
--- from data is typed by hand. Functions either return TeX text or print a table environment; an absent value shows as a
--- dash. open() is called first, with the folders of the reduced tables and of the frame tables; what tests can do is in tests/power.
+-- The numbers and tables of paper.tex that come from data, so that none is typed by hand. Functions either return TeX
+-- text or print a table environment; an absent value shows as a dash. open() is called first, with the folders of the
+-- reduced tables and of the frame tables. The power of the statistical tests is read from tests/power.
 local csv = require 'csv'
 local typeset = require 'typeset'
 local escape, show, short, percent_of = typeset.escape, typeset.show, typeset.short, typeset.percent_of
@@ -20,7 +20,7 @@ function tables.open(data_folder, frames_folder)
   for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'claims', 'parameters' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
-  -- Tables that take a command of their own; data may be without.
+  -- Tables that a separate command makes; the data may lack them.
   for _, name in ipairs { 'engines', 'witness', 'sensitivity', 'searches', 'readings' } do
     local file = data_folder .. '/' .. name .. '.csv'
     data[name] = lfs.isfile(file) and csv.read(file) or {}
@@ -33,7 +33,7 @@ end
 function tables.manifest(key) return typeset.in_words(assert(data.manifest[key], 'manifest.csv has no ' .. key)) end
 function tables.version() return escape(data.manifest.version) end
 
--- A parameter as the paper has it, by its name in the table of parameters.
+-- The value of a parameter in the replication, by its name in the table of parameters.
 function tables.parameter(name)
   return typeset.literal(assert(data.parameter[name], 'parameters.csv has no ' .. name).standard)
 end
@@ -53,7 +53,7 @@ local function decisions()
   return names
 end
 
--- Where a rule comes from, as rules.tex has it; four digits are a page of the ledger, which must be there.
+-- The origin of a rule, as rules.tex states it; four digits are a page of the ledger, which must exist.
 function tables.origin(text)
   local pages = table.concat(decisions(), '\n')
   return (text:gsub('%f[%d]%d%d%d%d%f[%D]', function(page)
@@ -62,7 +62,7 @@ function tables.origin(text)
   end))
 end
 
--- Of each parameter the numbers of the rules that it stands in.
+-- For each parameter, the numbers of the rules that use it.
 local function rules_by_parameter()
   local rules, rule = {}, nil
   for command, name in io.open(rules_file):read('a'):gmatch '\\(%a+){([%w_]+)}' do
@@ -81,23 +81,23 @@ end
 function tables.size_of_data()
   local planned = data.manifest
   if planned.complete == '1' then
-    return ('The data behind this copy are complete: %s seeds of each of %s settings, %s generations of %s individuals; %s evaluations.')
+    return ('This copy is based on the complete design: %s seeds of each of %s settings, %s generations of %s individuals; %s evaluations.')
       :format(show(planned.seeds), show(planned.settings), show(planned.generations), show(planned.population),
               typeset.in_words(planned.evaluations))
   end
   local function of(key) return ('%s of %s'):format(show(planned[key]), show(planned[key .. '_planned'])) end
-  return ('The data behind this copy: %s seeds, %s generations, %s individuals in each of %s settings; %s of %s evaluations.')
+  return ('This copy is based on a part of the planned design: %s seeds, %s generations, %s individuals in each of %s settings; %s of %s evaluations.')
     :format(of 'seeds', of 'generations', of 'population', show(planned.settings), show(planned.evaluations),
             typeset.in_words(planned.evaluations_planned))
 end
 
 function tables.is_complete() return data.manifest.complete == '1' end
 
--- What the share of the design means for the reader, in one sentence.
+-- A caution in one sentence if the data do not cover the design.
 function tables.caution()
   if tables.is_complete() then return '' end
-  return 'What the figures show is therefore a first look at the beginning of evolution, not yet evidence about the claims; '
-    .. 'claims that the data do not reach are marked open.'
+  return 'The figures therefore show only the beginning of evolution and are not yet evidence about the claims; '
+    .. 'claims for which the data do not suffice are marked open.'
 end
 
 -- Mean best fitness of a setting in its last generation, with its interval.
@@ -118,7 +118,7 @@ function tables.heredity(setting)
   return value and (('%.2f'):format(value):gsub('^%-', '$-$')) or '--'
 end
 
--- Number of claims with a verdict; of those, how many the corrected p decides.
+-- The number of claims with a verdict; how many of them the corrected p decides.
 function tables.verdicts(verdict) return tostring(#csv.where(data.claims, { verdict = verdict })) end
 function tables.corrected(verdict)
   local count = 0
@@ -129,7 +129,7 @@ function tables.corrected(verdict)
 end
 function tables.claims_judged() return tostring(#data.claims) end
 
--- A part of the article that a table carries; nothing without it.
+-- Includes a section if the table that it reports has rows.
 function tables.input_with(name, file)
   if #data[name] > 0 then tex.print('\\input{' .. file .. '}') end
 end
@@ -141,7 +141,7 @@ function tables.witnessed(column)
   return show(count)
 end
 
--- The fastest that anything moves within a champion whose muscles hold still.
+-- The highest speed of a node within a champion whose muscles hold still.
 function tables.largest_unrest()
   local most = 0
   for _, row in ipairs(data.engines) do most = math.max(most, tonumber(row.held_unrest_largest) or 0) end
@@ -155,7 +155,7 @@ function tables.rank_correlations()
     local rho = tonumber(row.rank_correlation)
     if rho then low, high = math.min(low or rho, rho), math.max(high or rho, rho) end
   end
-  if not low then return 'not known, as no setting has champions enough' end
+  if not low then return 'not known, because no setting has enough champions' end
   return low == high and show(low) or ('between %s and %s'):format(show(low), show(high))
 end
 
@@ -169,9 +169,9 @@ function tables.parameters_from(origin)
   return tostring(count)
 end
 
--- ---- What the tests can do ----
+-- ---- Power of the tests ----
 
--- How often, in per cent, an interval of so many runs holds the truth.
+-- How often, in per cent, an interval from this number of runs contains the true value.
 function tables.coverage(interval, values, runs)
   local rows = csv.where(simulated.coverage, { interval = interval, values = values, runs = tostring(runs) })
   return ('%.0f'):format(100 * tonumber(assert(rows[1], 'coverage.csv has no such row').covered))
@@ -179,7 +179,7 @@ end
 
 function tables.power_repetitions() return show(simulated.power[1].repetitions) end
 
--- How often the tests of the claims say what.
+-- How often the tests of the claims reproduce or contradict a claim.
 function tables.print_power()
   local head = { ' & & \\multicolumn{2}{c}{by $p$} & \\multicolumn{2}{c}{by the corrected $p$} \\\\', '\\cmidrule(lr){3-4}\\cmidrule(l){5-6}',
     'test & truth & repr. & contr. & repr. & contr. \\\\' }
@@ -198,7 +198,7 @@ end
 
 -- ---- Tables ----
 
--- Adds the row of a setting, the number-th of so many; the two searches of a combination stand together.
+-- Adds the row of a setting, given its number and the number of settings; a space follows both searches of a combination.
 local function add_setting(lines, cells, number, settings)
   lines[#lines + 1] = row_of(cells)
   if number % 2 == 0 and number < settings then lines[#lines + 1] = '\\addlinespace[2pt]' end
@@ -225,7 +225,7 @@ function tables.print_settings()
   print_tabular('lrrrrrrrr', head, lines)
 end
 
--- The champions of each setting in other hands: changes in per cent.
+-- The champions of each setting simulated with other steps and engines: changes in per cent.
 function tables.print_engines()
   local head = {
     ' & & \\multicolumn{2}{c}{half the step} & \\multicolumn{2}{c}{Bullet} & rank & & \\multicolumn{3}{c}{cause of a difference} \\\\',
@@ -288,7 +288,7 @@ local function sensitivity_by_parameter()
   return order
 end
 
--- The mean of the searches' median ratios; a dagger where either lost more than a tenth of its viable.
+-- The mean of the searches' median ratios; a dagger if either lost more than a tenth of its viable individuals.
 local function sensitivity_cell(rows)
   if not rows then return '' end
   local sum, count, lost = 0, 0, false
@@ -300,7 +300,7 @@ local function sensitivity_cell(rows)
   return (count > 0 and ('%.2f'):format(sum / count) or '--') .. (lost and '\\rlap{$^\\dagger$}' or '')
 end
 
--- What half and twice an assumed value do to displacement.
+-- The effect of half and twice an assumed value on displacement.
 function tables.print_sensitivity()
   local heads = {}
   for _ = 1, 2 do for _, combination in ipairs(combinations) do heads[#heads + 1] = combination[2] end end
@@ -316,7 +316,7 @@ function tables.print_sensitivity()
   print_tabular('lr@{\\quad}rrrr@{\\quad}rrrr', head, lines)
 end
 
--- The lowest and the highest number of a column, over the rows of all parameters whose names begin so.
+-- The lowest and the highest number of a column, over the rows of all parameters whose names have this prefix.
 function tables.sensitivity_range(prefix, low_column, high_column)
   local low, high
   for _, row in ipairs(data.sensitivity) do
@@ -338,7 +338,7 @@ local searches = {
   { 'bodies-first', 'novelty, from diverse bodies' },
 }
 
--- Of a column of these runs, there is at least one: median, lowest and highest; or the mean.
+-- Of a column of these runs (at least one): median, lowest and highest; or the mean.
 local function spread(runs, column)
   local values = csv.numbers(runs, column)
   local middle = csv.median(values) -- sorts them
@@ -350,7 +350,7 @@ local function mean(runs, column, form)
   return form:format(sum / #runs)
 end
 
--- What each search found, in both worlds.
+-- Best fitness and diversity of each search, in both worlds.
 function tables.print_searches()
   local head = {
     ' & \\multicolumn{3}{c}{in water} & \\multicolumn{3}{c}{on land} \\\\', '\\cmidrule(r){2-4}\\cmidrule(l){5-7}',
@@ -369,11 +369,11 @@ function tables.print_searches()
   print_tabular('l@{\\quad}rrr@{\\quad}rrr', head, lines)
 end
 
--- A number that all runs of that comparison have in common, and how many a setting has.
+-- A number that is the same for all runs of that comparison; the number of runs of a setting.
 function tables.searched(column) return show(data.searches[1][column]) end
 function tables.searched_runs() return show(#csv.where(data.searches, { setting = data.searches[1].setting })) end
 
--- What became of the individuals, in the first and in the last generation.
+-- The outcomes of the individuals in the first and in the last generation.
 function tables.print_outcomes()
   local kinds = { 'viable', 'died_out', 'too_small', 'overgrown', 'never_settled', 'exploded', 'overborn' }
   local head = { 'setting & gen. & ' .. row_of(kinds):gsub('_', ' ') }
@@ -389,7 +389,7 @@ function tables.print_outcomes()
   print_tabular('lr' .. ('r'):rep(#kinds), head, lines)
 end
 
--- The two sides of a claim, what they share said once: OSC AQ, NS : NEAT.
+-- The two sides of a claim; a common part is given once: OSC AQ, NS : NEAT.
 local function sides(row)
   if row.setting_b == '' then return short(row.setting_a) end
   local shared, first = row.setting_a:match '^(.*)%-(%w+)$'
@@ -406,7 +406,7 @@ local function probability_of(row, column, name, method)
     'Holm ' .. typeset.probability(row[column .. '_holm']))
 end
 
--- What was measured for a claim: effect, interval and p; then, quietly, on which runs and when.
+-- The evidence for a claim: effect, interval and p; then, in small print, the runs and the generation.
 local function evidence(row)
   local measured = {}
   if row.effect ~= '' then
@@ -431,16 +431,16 @@ local function verdict_of(row)
   return ('\\verdict{%s}%s'):format(escape(row.verdict), marks ~= '' and ('\\rlap{$^{%s}$}'):format(marks) or '')
 end
 
--- The claims of the paper with verdicts.
+-- The claims of the original with verdicts.
 function tables.print_claims()
-  local head = ' & claim & the paper & here & verdict \\\\'
+  local head = ' & claim & original & here & verdict \\\\'
   local lines = { '\\begin{longtable}{@{}l>{\\raggedright}p{4.8cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.3cm}l@{}}',
-    '\\caption{The claims of the paper, judged. Effects: $A_{12}$ is the probability that a run of the first side has the '
-    .. 'larger value than one of the second (one half: no difference); intervals are bootstrap intervals, none with fewer than ten runs; $p$ is that of the two-tailed '
-    .. 'test of a difference, with its method and its value corrected after Holm over all $p$ of the table; equivalence: that no difference beyond the stated bound is left. '
-    .. 'Small print: sides, runs, generation of the one planned, and what limits a verdict. A verdict is decided by $p$ alone where it carries an asterisk, else by the corrected $p$ as well. '
-    .. 'A dagger marks what was used to choose the reading of the article: such a verdict is no evidence. '
-    .. 'Open: runs, generations or individuals are missing.}\\label{tab:claims}\\\\',
+    '\\caption{The claims of the original and our verdicts. Effects: $A_{12}$ is the probability that a run of the first side has a '
+    .. 'larger value than a run of the second (one half: no difference); intervals are bootstrap intervals, given for ten runs or more; $p$ is that of the two-tailed '
+    .. 'test of a difference, with its method and its value after Holm\'s correction over all $p$ of the table; equivalence: $p$ of the tests that no difference beyond the stated bound exists. '
+    .. 'Small print: sides, runs, generation reached of the generation planned, and limits of the verdict. An asterisk marks verdicts that $p$ decides only without the correction. '
+    .. 'A dagger marks results that were used to choose the reading of the original; such a verdict is no evidence. '
+    .. 'Open: there are too few runs, generations or individuals.}\\label{tab:claims}\\\\',
     '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
   local previous
   for index, row in ipairs(data.claims) do
@@ -453,12 +453,12 @@ function tables.print_claims()
   tex.print(lines)
 end
 
--- Every parameter with its origin and the rules that it stands in.
+-- Every parameter with its origin and the rules that use it.
 function tables.print_parameters()
   local head = 'parameter & value & unit & origin & rules & meaning \\\\'
   local lines = { '\\begin{longtable}{@{}lrl>{\\raggedright}p{1.1cm}>{\\raggedright}p{1.2cm}>{\\raggedright\\arraybackslash}p{5.1cm}@{}}',
-    '\\caption{Every parameter of the model. Origin: a section, equation or figure of the paper; MN, the configuration of '
-    .. 'MultiNEAT that the paper used; ours, where nothing public says. Rules: of Appendix~\\ref{app:rules}.}\\label{tab:parameters}\\\\',
+    '\\caption{Every parameter of the model. Origin: a section, equation or figure of the original; MN, the configuration of '
+    .. 'MultiNEAT that the original used; ours, if no public source gives the value. Rules: those of Appendix~\\ref{app:rules}.}\\label{tab:parameters}\\\\',
     '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
   local rules, section = rules_by_parameter(), nil
   for _, row in ipairs(data.parameters) do
@@ -492,7 +492,7 @@ function tables.print_decisions()
   tex.print(lines)
 end
 
--- The best individual of a setting as the caption of its portrait says it.
+-- The best individual of a setting, for the caption of its portrait.
 function tables.portrait(setting)
   local row = frames[setting]
   if not row then return short(setting) .. ': no viable individual' end

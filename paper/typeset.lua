@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Texts, numbers and tables as TeX shows them. What is no number shows as a dash.
+-- Texts, numbers and tables as TeX shows them. A value that is not a number shows as a dash.
 local typeset = {}
 
 local symbols = {
@@ -14,7 +14,7 @@ local symbols = {
 -- Plain text as TeX shows it literally.
 function typeset.escape(text) return (text:gsub(utf8.charpattern, symbols)) end
 
--- Words between backticks in the typewriter face, between asterisks emphasised.
+-- Words between backticks are set in the typewriter face, words between asterisks are emphasised.
 function typeset.marked_up(text)
   text = text:gsub('`([^`]+)`', '\\texttt{%1}'):gsub('%*%*([^*]+)%*%*', '\\textbf{%1}')
   return (text:gsub('%*([^*]+)%*', '\\emph{%1}'))
@@ -57,7 +57,7 @@ function typeset.probability(text)
   return ('%.' .. math.max(2, 1 - math.floor(math.log(value, 10) + 1e-12)) .. 'f'):format(value)
 end
 
--- As it stands in a table, powers of ten set as such: 1e-4, 0.40.
+-- A number as the table gives it, with powers of ten set as such: 1e-4, 0.40.
 function typeset.literal(text)
   local mantissa, exponent = text:match '^(%-?[%d.]+)e([+-]?%d+)$'
   if not mantissa then return (typeset.escape(text):gsub('^%-', '$-$')) end
@@ -65,14 +65,14 @@ function typeset.literal(text)
   return ('$%s10^{%d}$'):format(factor, tonumber(exponent))
 end
 
--- Millions in words where they are round: 96 million.
+-- Round millions in words: 96 million.
 function typeset.in_words(text)
   local value = tonumber(text)
   if value and value >= 1e6 and value % 1e5 == 0 then return typeset.show(value / 1e6) .. ' million' end
   return typeset.show(text)
 end
 
--- A number of a row with its interval, if there is one.
+-- A number of a row, with its interval if the row has one.
 function typeset.interval(row, middle)
   if row.low == '' or row.high == '' then return typeset.show(row[middle]) end
   return ('%s [%s, %s]'):format(typeset.show(row[middle]), typeset.show(row.low), typeset.show(row.high))
