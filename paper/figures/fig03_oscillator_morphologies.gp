@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
-# Figures 3 and 4 of the paper: the best individuals with oscillators.
+# Figures 3 and 4 of the original: the best individuals with oscillators.
 load 'paper/figures/morphologies.gp'

@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
-# Figure 5 of the paper: the best individuals with the gene regulatory network.
+# Figure 5 of the original: the best individuals with the gene regulatory network.
 load 'paper/figures/morphologies.gp'

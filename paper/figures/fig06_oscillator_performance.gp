@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-# Figure 6 of the paper: performance with oscillators.
+# Figure 6 of the original: performance with oscillators.
 actuation = 'osc'
 load 'paper/figures/performance.gp'

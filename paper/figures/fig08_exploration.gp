@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 8 of the paper: where the individuals of a run ended, in water with oscillators. A random share of all of them
+# Figure 8 of the original: where the individuals of a run ended, in water with oscillators. A random share of all of them
 # (points, by generation) and the best of each generation (line), for the best and the median run of each search.
 height = 14.8
 load 'paper/figures/style.gp'

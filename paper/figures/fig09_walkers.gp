@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 9 of the paper: where walkers with oscillators ended, over the generations, in the best run of each search. A
+# Figure 9 of the original: where walkers with oscillators ended, over the generations, in the best run of each search. A
 # random share of all individuals (points; dark where many are) and the best individual so far (line).
 height = 6.6
 load 'paper/figures/style.gp'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 10 of the paper: the archive of novelty search at the end of its best run with oscillators. A: in water, where the
+# Figure 10 of the original: the archive of novelty search at the end of its best run with oscillators. A: in water, where the
 # archived individuals ended, by the generation that added them; B: on land, x against that generation.
 height = 7.2
 load 'paper/figures/style.gp'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 11 of the paper: distribution of fitness in the last generation, each run relative to the highest of that generation, mean of runs.
+# Figure 11 of the original: distribution of fitness in the last generation, each run relative to the highest of that generation, mean of runs.
 height = 5.2
 load 'paper/figures/style.gp'
 

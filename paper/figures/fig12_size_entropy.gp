@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 12 of the paper: Shannon entropy (Eq. 8) of the body sizes of a run. One small ring per run, a dot and a bar for
+# Figure 12 of the original: Shannon entropy (Eq. 8) of the body sizes of a run. One small ring per run, a dot and a bar for
 # the mean and its bootstrap interval.
 height = 6.4
 load 'paper/figures/style.gp'

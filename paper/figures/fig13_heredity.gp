@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# How much of a mother's fitness her children have, over the generations: medians of the runs. Rows: mother-offspring
-# correlation; children near their mother; individuals near the best. Columns: actuation and world. Not in the paper.
+# Heredity of fitness over the generations: medians of the runs. Rows: mother-offspring correlation; offspring near their
+# mother; individuals near the best. Columns: actuation and world. Not in the original.
 height = 11.5
 load 'paper/figures/style.gp'
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Best fitness of every run under each reading of the article (experiments/readings.lua). One small ring per run, a dot for
-# the median. The readings stand from top to bottom, named as in paper/readings.lua. Not in the paper.
+# Best fitness of every run under each reading of the original (experiments/readings.lua). One small ring per run, a dot for
+# the median. The readings stand from top to bottom, named as in paper/readings.lua. Not in the original.
 height = 7.6
 load 'paper/figures/style.gp'
 

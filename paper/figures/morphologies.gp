@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Portraits of animats, laid out in cm by morphologies.lua. Given: layout (its folder) and out; a name that
-# ends in .png gives a picture without words. Cells are discs coloured by their actuation signal, from contraction (red)
+# ends in .png gives a picture without text. Cells are discs coloured by their actuation signal, from contraction (red)
 # to expansion (blue), and grey while they grow; springs are thin lines, the outline is darker, the ground a line.
-height = 1 # before page.gp says it
+height = 1 # until page.gp sets it
 load 'paper/figures/style.gp'
 load layout.'/page.gp'
 data = layout

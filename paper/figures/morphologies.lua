@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Lays out portraits of animats for gnuplot: a row of growth frames and a row of gait frames for each setting, both at
--- one scale, so that a cell has the same size from the first division to the last stride.
+-- the same scale, so that a cell has the same size in all frames.
 --
 --   texlua paper/figures/morphologies.lua FRAMES DATA OUT SETTING...
 --
@@ -95,7 +95,7 @@ for index = 4, #arg do
   local row, portrait = settings[setting], portraits[setting]
   if row and portrait then
     local growth, gait = stage_of(setting, 'growth'), stage_of(setting, 'gait')
-    -- The widest frame fits its place and the highest its row; a small body is not blown up.
+    -- The widest frame fits its place and the highest its row; a small body is not enlarged beyond largest_scale.
     local place = (width - 2 * margin) / math.max(#growth.frames, #gait.frames)
     local scale = math.min(largest_scale, (place - gap) / math.max(growth.wide, gait.wide),
                            largest_height / math.max(growth.high, gait.high))

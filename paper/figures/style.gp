@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The look that every figure shares. Given by the caller: data (folder of tables), out (file to write), height (cm).
+# The style of every figure. Given by the caller: data (folder of tables), out (file to write), height (cm).
 # Colours are those of Okabe and Ito, which people with any kind of colour vision can tell apart.
 width = 16.0
 terminal(width, height) = sprintf("set terminal pdfcairo size %gcm,%gcm ", width, height) \
@@ -46,9 +46,9 @@ generation_tics(last) = last < 20 ? ceil(last / 5.0) : \
 max(a, b) = a > b ? a : b
 min(a, b) = a < b ? a : b
 
-# What `stats … name 'END'` found; where a table has no fitting row it leaves its variables undefined.
+# The results of `stats … name 'END'`; if a table has no fitting row, its variables stay undefined.
 found(otherwise) = exists('END_records') ? END_records : otherwise
 largest(otherwise) = exists('END_max') ? END_max : otherwise
 lowest(otherwise) = exists('END_min') ? END_min : otherwise
-# A point that nobody sees, for panels whose tables may have no fitting row; gnuplot draws no axes around nothing.
+# An invisible point, for panels whose tables may have no fitting row: gnuplot draws no axes for an empty plot.
 unseen = "'+' using (0):(0) every ::0::0 with points pointsize 0 notitle"
