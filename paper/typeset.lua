@@ -57,9 +57,11 @@ function typeset.probability(text)
   return ('%.' .. math.max(2, 1 - math.floor(math.log(value, 10) + 1e-12)) .. 'f'):format(value)
 end
 
--- A number as the table gives it, with powers of ten set as such: 1e-4, 0.40.
+-- A number as the table gives it, with powers of ten set as such (1e-4, 0.40); a long one that is a power of two as that.
 function typeset.literal(text)
   local mantissa, exponent = text:match '^(%-?[%d.]+)e([+-]?%d+)$'
+  local binary = mantissa and math.floor(math.log(math.abs(tonumber(text)), 2) + 0.5)
+  if binary and #mantissa > 8 and 2.0 ^ binary == tonumber(text) then return ('$2^{%d}$'):format(binary) end
   if not mantissa then return (typeset.escape(text):gsub('^%-', '$-$')) end
   local factor = mantissa == '1' and '' or mantissa .. '\\cdot'
   return ('$%s10^{%d}$'):format(factor, tonumber(exponent))
