@@ -32,8 +32,8 @@ struct Finding {
 
 struct ClaimTest {
     std::string_view name;
-    /// What of a claim the test uses: `expect`, of no difference also `bound`, and two settings; `level` and two; `count`
-    /// and two; or `level`, `count`, `bound` and setting a alone.
+    /// What of a claim the test uses: `expect`, of no difference also `bound`, and two settings; `level` and two;
+    /// `count` and two; or `level`, `count`, `bound` and setting a alone.
     enum Needs { ranks, level_of_two, count_of_two, count_of_one } needs;
     Finding (*judge)(const Case &);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The chain of a run: one link for each generation, a hash over the link before, over all that the generation is
-// (experiment/digest.h), and over the rows that it adds to each table. The first link is made of the run's identity, its
-// seed included. So the last link identifies the whole run, and a changed digit in a table breaks the chain at that
+// (experiment/digest.h), and over the rows that it adds to each table. The first link is made of the run's identity,
+// its seed included. So the last link identifies the whole run, and a changed digit in a table breaks the chain at that
 // generation. Only simulating again can show that a whole chain was forged.
 #pragma once
 

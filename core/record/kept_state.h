@@ -7,8 +7,8 @@
 // `states/` stay those before generations 25, 50 and every multiple of 100, for audits, and that before the run's last
 // generation, from which it can become longer.
 //
-// A file that was cut or changed is recognised by its seal and passed over; one with a right seal and invalid content is
-// refused.
+// A file that was cut or changed is recognised by its seal and passed over; one with a right seal and invalid content
+// is refused.
 #pragma once
 
 #include "storage/journal.h"

@@ -76,15 +76,15 @@ void remove_journals(const std::filesystem::path &folder);
 /// written, and IoError if it cannot be read.
 std::optional<Manifest> recorded_manifest(const std::filesystem::path &folder);
 
-/// Makes a folder for tables made of runs, and holds it for this process as long as the result lives. Throws RefusedError
-/// if another process holds it, or if it is the folder of a run, whose files must not be replaced.
+/// Makes a folder for tables made of runs, and holds it for this process as long as the result lives. Throws
+/// RefusedError if another process holds it, or if it is the folder of a run, whose files must not be replaced.
 FolderLock hold_for_tables(const std::filesystem::path &out);
 
 /// Whether a row of a run's manifest is the hash of a file: its key is a path.
 bool is_file(std::string_view key);
 
-/// The generations of the run in this folder whose results are complete: 0 without a manifest. Throws InputError if a file
-/// that the manifest names is not there.
+/// The generations of the run in this folder whose results are complete: 0 without a manifest. Throws InputError if a
+/// file that the manifest names is not there.
 int complete_generations(const std::filesystem::path &folder);
 
 /// The generations of the run that are done, complete or only kept by a checkpoint.

@@ -50,7 +50,8 @@ struct RunStatus {
     std::string trouble;      // why it cannot be told how far the run is; empty
 };
 
-/// Every folder at or below this one in which a run has begun, or that has the name and the manifest of a run, by name. Throws InputError if there is no such folder.
+/// Every folder at or below this one in which a run has begun, or that has the name and the manifest of a run, by name.
+/// Throws InputError if there is no such folder.
 std::vector<std::filesystem::path> folders_with_runs(const std::filesystem::path &folder);
 
 /// All runs below a folder, <folder>/<setting>/seed-NNN, by name. Throws InputError if there is no such folder.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A run on its way to disk (record/run_folder.h). While it is under way its tables are journals (storage/journal.h), and
-// every few generations a checkpoint says where it stands (record/kept_state.h). A writer that finds such a run resumes
-// there (record/resume_point.h), one that finds a complete run which is too short makes it longer, and the results are
-// the same to the byte as those of one process that was never stopped. Nothing in them depends on the clock or the
-// machine but the manifest's row of the compiler. Memory does not grow with the generations.
+// A run on its way to disk (record/run_folder.h). While it is under way its tables are journals (storage/journal.h),
+// and every few generations a checkpoint says where it stands (record/kept_state.h). A writer that finds such a run
+// resumes there (record/resume_point.h), one that finds a complete run which is too short makes it longer, and the
+// results are the same to the byte as those of one process that was never stopped. Nothing in them depends on the clock
+// or the machine but the manifest's row of the compiler. Memory does not grow with the generations.
 #pragma once
 
 #include "experiment/run.h"

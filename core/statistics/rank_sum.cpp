@@ -23,8 +23,8 @@ std::vector<std::size_t> doubled_ranks(const Ranks &pooled) {
     return doubled;
 }
 
-/// The number of ways to choose m of the ranks, by their sum: count[s] have sum s. All ways are equally likely if the two
-/// samples do not differ, whatever ties there are.
+/// The number of ways to choose m of the ranks, by their sum: count[s] have sum s. All ways are equally likely if the
+/// two samples do not differ, whatever ties there are.
 std::vector<double> count_sums(const std::vector<std::size_t> &ranks, std::size_t m) {
     const std::size_t largest =
         std::accumulate(ranks.end() - static_cast<std::ptrdiff_t>(m), ranks.end(), std::size_t{0});

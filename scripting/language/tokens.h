@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script runs, and to
-// find the line that states a key of a table constructor, the text of a function, and the modules that it requires. LuaJIT
-// alone parses Lua.
+// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script runs, and
+// to find the line that states a key of a table constructor, the text of a function, and the modules that it requires.
+// LuaJIT alone parses Lua.
 #pragma once
 
 #include <span>

@@ -55,8 +55,8 @@ struct Text {
     std::vector<Requirement> requirements;
 };
 
-// The walk through all that one function reaches, breadth first. Its members own the memory, as a Lua error may leave any
-// of its methods.
+// The walk through all that one function reaches, breadth first. Its members own the memory, as a Lua error may leave
+// any of its methods.
 class Walk {
   public:
     Walk(const Sources &sources, const Sources &by_line, LuaState &lua, int function)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Commands of planula as a user gives them, in this process or in one that can be killed, and the folders that they write.
+// Commands of planula as a user gives them, in this process or in one that can be killed, and the folders that they
+// write.
 #pragma once
 
 #include "program/commands.h"

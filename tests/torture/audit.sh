@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Alters a recorded run at random, again and again: digits, rows and generations of its tables and its chain, saved states,
-# files of another seed, the manifest, the identity, the scripts. `planula verify` must find each alteration without
-# simulating, and must name the generation if one was altered.
+# Alters a recorded run at random, again and again: digits, rows and generations of its tables and its chain, saved
+# states, files of another seed, the manifest, the identity, the scripts. `planula verify` must find each alteration
+# without simulating, and must name the generation if one was altered.
 #
 #   audit.sh PROGRAM [ALTERATIONS] [SEED]      100 alterations, seed 1
 set -euo pipefail

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Kills a run at random moments, the given number of times, with another length asked for each time and a checkpoint damaged
-# now and then. Every run that is completed must equal an undisturbed run of its length; then it is started from generation
-# 0 again. After that it kills `planula merge`, a quarter as often.
+# Kills a run at random moments, the given number of times, with another length asked for each time and a checkpoint
+# damaged now and then. Every run that is completed must equal an undisturbed run of its length; then it is started from
+# generation 0 again. After that it kills `planula merge`, a quarter as often.
 #
 #   kills.sh PROGRAM [KILLS] [SEED]      200 kills, seed 1
 set -euo pipefail
@@ -11,7 +11,8 @@ program=$(realpath "$1") kills=${2:-200}
 RANDOM=${3:-1}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# Recurrent networks, an archive, the ground: everything that a run has to save. The states before generations 25 and 50 stay.
+# Recurrent networks, an archive, the ground: everything that a run has to save. The states before generations 25 and 50
+# stay.
 lengths=(5 12 26 27 51 60)
 setting=grn-te-ns
 run=("$program" run experiments/paper/replication.lua --only $setting --seeds 1 --population 12 --checkpoint 2

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Does the signature depend on every parameter of the model? Changes one parameter after the other, in every setting of
-# experiments/signature.lua, until the signature changes: by a tenth, by one, to twice and half its value, or to each name of
-# a choice. Seeds and generations, which change no generation, and the parameters of statistics are left out.
+# experiments/signature.lua, until the signature changes: by a tenth, by one, to twice and half its value, or to each
+# name of a choice. Seeds and generations, which change no generation, and the parameters of statistics are left out.
 #
 #   parameters.sh PROGRAM [NAME…]      all parameters, unless some are named
 #

@@ -103,7 +103,8 @@ template <class... Fields> void change_each(const Made &made, Fields &...fields)
 
 } // namespace
 
-// All records but lives, which have a list, are taken apart by name here, too: whoever adds a field adds it to its test.
+// All records but lives, which have a list, are taken apart by name here, too: whoever adds a field adds it to its
+// test.
 
 BOOST_AUTO_TEST_CASE(every_field_of_a_life_is_in_the_digest) {
     Made made;

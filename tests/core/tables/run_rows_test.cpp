@@ -92,8 +92,8 @@ BOOST_AUTO_TEST_CASE(near_the_best_is_who_has_more_than_nine_tenths_of_its_fitne
 }
 
 BOOST_AUTO_TEST_CASE(a_gait_is_cyclic_if_way_and_signals_last_to_the_end) {
-    // The way is even, a quarter of it late. Slot 1 holds its muscles still in the end, slot 2 does not move, slot 3 has
-    // no fitness.
+    // The way is even, a quarter of it late. Slot 1 holds its muscles still in the end, slot 2 does not move, slot 3
+    // has no fitness.
     const GenerationRow row = row_of(6, [](int slot) {
         constexpr double late[] = {0.1, 0.09, 0.5, 0.5, 0.5, 0.5};
         FakeLife life = slot == 3 ? dead() : FakeLife{.moved = {slot == 2 ? 0.0 : 3.0, 0}};
