@@ -12,7 +12,7 @@
 
 namespace planula {
 
-/// What a test sees: two samples of runs after so many generations.
+/// The input of a test: two samples of runs after so many generations.
 struct Case {
     const Claim &claim;
     const Analysis &analysis;
@@ -40,7 +40,7 @@ struct ClaimTest {
     bool compares_two() const { return needs != count_of_one; }
 };
 
-/// The test of that name; null if there is none.
+/// The test of that name, or null.
 const ClaimTest *find_test(std::string_view name);
 
 /// The verdict of a rank-sum test, from its p and its effect A12; expecting no difference, from both of its p.

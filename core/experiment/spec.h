@@ -25,7 +25,7 @@ struct Start {
     Judge judge;
 };
 
-/// A function of the judge by what it computes: equal hashes judge every life alike. A function's text without
+/// A function of the judge by what it computes: functions of equal hashes give equal results. A function's text without
 /// comments and layout decides, and whatever it reaches: values, tables, other functions.
 struct FunctionMeaning {
     std::string name;   // "fitness", "penalty", "behaviour", "start.behaviour"

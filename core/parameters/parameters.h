@@ -49,10 +49,10 @@ struct ParameterRow {
 /// All rows in the order of parameters.inl.
 std::span<const ParameterRow> parameter_rows();
 
-/// The row of a parameter. Throws InputError, with the nearest name, if there is none.
+/// The row of a parameter. Throws InputError, with the nearest name, if no parameter has that name.
 const ParameterRow &parameter_row(std::string_view name);
 
-/// The value of a parameter by name. Throws InputError, with the nearest name, if there is none.
+/// The value of a parameter by name. Throws InputError, with the nearest name, if no parameter has that name.
 double parameter(const Parameters &parameters, std::string_view name);
 
 /// A value as people write it: the name of a choice, or the shortest number that reads back equal.

@@ -33,7 +33,7 @@ struct KeptState {
     std::string state;                                       // the RunState, saved
     std::string memory;                                      // the judge's, as it gave it
 
-    /// The mark of a table. Throws InputError if there is none.
+    /// The mark of a table. Throws InputError if the table has no mark.
     const JournalMark &mark_of(std::string_view table) const;
 };
 

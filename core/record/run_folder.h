@@ -72,7 +72,7 @@ bool has_journals(const std::filesystem::path &folder);
 /// finish.
 void remove_journals(const std::filesystem::path &folder);
 
-/// The manifest of a run that has come to an end; nothing if there is none. Throws InputError if it is not what was
+/// The manifest of a run that has come to an end; nothing without a manifest. Throws InputError if it is not what was
 /// written, and IoError if it cannot be read.
 std::optional<Manifest> recorded_manifest(const std::filesystem::path &folder);
 

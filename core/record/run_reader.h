@@ -35,7 +35,7 @@ struct FoundRuns {
 /// none if there is no such folder. Throws InputError for a damaged record, and IoError for one that cannot be read.
 FoundRuns find_runs(const std::filesystem::path &runs, const Spec &setting, int generations);
 
-/// The complete run in this folder. Throws InputError if there is none.
+/// The complete run in this folder. Throws InputError if the folder has no complete run.
 RecordedRun open_run(const std::filesystem::path &folder);
 /// The same, its files being what the manifest says.
 RecordedRun read_run(const std::filesystem::path &folder);

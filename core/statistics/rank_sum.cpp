@@ -30,7 +30,7 @@ std::vector<double> count_sums(const std::vector<std::size_t> &ranks, std::size_
         std::accumulate(ranks.end() - static_cast<std::ptrdiff_t>(m), ranks.end(), std::size_t{0});
     std::vector<std::vector<double>> ways(m + 1, std::vector<double>(largest + 1));
     ways[0][0] = 1;
-    // One rank after the other is chosen or not; the i chosen are none above it.
+    // One rank after the other is chosen or not; the i chosen are at most this one.
     for (const std::size_t rank : ranks)
         for (std::size_t i = m; i >= 1; --i)
             for (std::size_t sum = std::min(i * rank, largest); sum >= rank; --sum)

@@ -7,7 +7,7 @@
 -- negligible, and is reproduced only if a test shows that the difference is smaller; decision 0015 has the error rates
 -- of all tests.
 --
--- What the paper shows only by pictures is tested by a number where a number says the same. There is none for S14 (how
+-- What the paper shows only by pictures is tested by a number where a number says the same. S14 has no such number (how
 -- the best bodies look), which is left to Figs. 3-5.
 local summary = require "paper.summary"
 

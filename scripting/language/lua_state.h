@@ -66,7 +66,7 @@ struct Host {
     /// After the deadline: ends the call, or moves the deadline if the processor did other work in the meantime.
     void check_seconds();
     /// Counts a function of C that calls back into the script, one level deeper. Raises a Lua error if there are too
-    /// many levels; whoever catches an error restores the depth.
+    /// many levels; code that catches an error restores the depth.
     void go_deeper(lua_State *L);
     std::string message() const;
     /// The length of the "name:line: " that a message begins with; 0 if it names no source of this state.

@@ -40,7 +40,7 @@ class Sources {
     /// Reads the module when it is first asked for. Throws InputError: an unsafe name, not found (with the folders
     /// tried), or any error of the constructor.
     const Source &module(std::string_view name);
-    /// The source of this message name; null if there is none.
+    /// The source of this message name; or null.
     const Source *named(std::string_view name) const;
     /// Not while another thread runs a script.
     const std::deque<Source> &all() const { return sources_; }

@@ -43,7 +43,7 @@ bool is_sample(std::int64_t call) {
 // The result of the functions for one life.
 struct JudgingFunctions::Verdict {
     Evaluation evaluation;
-    std::string problem;     // of the functions; empty if there is none
+    std::string problem;     // of the functions; empty without a problem
     bool wrong_kind = false; // the problem is an error or a value of another kind
     Exhausted exhausted = Exhausted::no;
 };

@@ -117,7 +117,7 @@ class Walk {
         lua_pop(L, 1);
     }
 
-    // All NaNs are hashed alike: their bits depend on the processor.
+    // All NaNs have one hash: their bits depend on the processor.
     void number(double value) {
         hash_.number(std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
     }

@@ -61,7 +61,7 @@ inline std::map<std::string, std::string> all_files(const std::filesystem::path 
     return files;
 }
 
-/// The first file in which two folders differ; "" if there is none.
+/// The first file in which two folders differ; "" if they are equal.
 inline std::string difference(const std::filesystem::path &a, const std::filesystem::path &b) {
     const auto left = all_files(a), right = all_files(b);
     for (const auto &[name, bytes] : left)

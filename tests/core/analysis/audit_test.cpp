@@ -198,7 +198,7 @@ std::string alter_folder(const fs::path &place, Stream &stream) {
         std::stable_sort(lines.begin() + 1, lines.end(), [](const std::string &a, const std::string &b) {
             return std::stoi(a) < std::stoi(b);
         });
-        // Generations may be alike, of sizes as of champions.
+        // Two generations may have equal rows of sizes or of champions.
         if (joined(lines) == text_of(place, table)) return alter_folder(place, stream);
         put(place / table, joined(lines));
         maybe_mend();

@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(no_difference_is_not_reproduced_for_want_of_runs) {
     BOOST_TEST(row.verdict == "inconclusive");
     BOOST_TEST(row.note == "of so few runs p of equivalence is at least 0.113");
 
-    // Twenty of each, alike: what differs is less than the bound. Far apart: it is more.
+    // Twenty similar values each: the difference is smaller than the bound. Twenty distant ones: it is larger.
     const auto twenty = values(1, 20);
     row = judge(claim, twenty, values(1.5, 20), planned(20));
     BOOST_TEST(row.verdict == "reproduced");
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(a_tie_among_the_best_speaks_against_the_claim) {
     Claim claim = fake_claim("top_runs");
     claim.count = 1;
     BOOST_TEST(judge(claim, {9, 1, 1, 1, 1, 1}, {9, 1, 1, 1, 1, 1}).effect.value() == 0);
-    // And for neither verdict: runs that are all alike say nothing.
+    // And for neither verdict: equal runs are inconclusive.
     claim.count = 5;
     BOOST_TEST(judge(claim, std::vector<double>(6, 7), std::vector<double>(6, 7)).verdict == "inconclusive");
 }

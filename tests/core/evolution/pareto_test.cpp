@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(domination_asks_for_nowhere_lower_and_somewhere_higher) {
     BOOST_TEST(!dominates({1, 2}, {2, 2}));
     BOOST_TEST(!dominates({1, 2}, {1, 2}));
     BOOST_TEST((!dominates({1, 2}, {2, 1}) && !dominates({2, 1}, {1, 2})));
-    // Whoever is feasible dominates those who are not, and these are alike.
+    // A feasible solution dominates one that is not; of two infeasible ones neither dominates.
     BOOST_TEST(dominates({0, 0}, {}));
     BOOST_TEST(!dominates({}, {0, 0}));
     BOOST_TEST(!dominates({}, {}));

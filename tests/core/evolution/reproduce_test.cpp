@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(every_generation_of_a_long_run_is_sound_and_repeats_bit_for
                 BOOST_TEST_REQUIRE(next.generation == generation + 1);
                 BOOST_TEST_REQUIRE(next.genomes.size() == 60u);
 
-                // Ids are new and unique; parents lived before, or in this generation for fillers.
+                // Ids are new and unique; parents are of an earlier generation, or for fillers of this one.
                 std::set<std::int64_t> ids, parents;
                 for (const auto &genome : population.genomes) parents.insert(genome.id);
                 for (const auto &genome : next.genomes) {

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_species_that_never_scored_has_the_floor_as_its_best) {
 }
 
 BOOST_AUTO_TEST_CASE(a_species_that_loses_the_mark_counts_as_young_at_once) {
-    // The first has stagnated for long, but loses the mark to the second now: age and stagnation start anew before
+    // The first has stagnated for long, but loses the mark to the second now: age and stagnation are reset before
     // the offspring is shared out, 1.1 to 1.
     Population population = far_apart({1, 1});
     population.best_ever = 5;

@@ -103,8 +103,8 @@ template <class... Fields> void change_each(const Made &made, Fields &...fields)
 
 } // namespace
 
-// All records but lives, which have a list, are taken apart by name here, too: whoever adds a field adds it to its
-// test.
+// The fields of lives come from a list. Those of all other records are named here too: who adds a field must add it to
+// its test.
 
 BOOST_AUTO_TEST_CASE(every_field_of_a_life_is_in_the_digest) {
     Made made;

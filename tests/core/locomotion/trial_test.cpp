@@ -46,7 +46,7 @@ struct RecordingEngine : Engine {
     std::function<double(int)> speed = [](int) { return 0.0; };
     double from = 0, to = 0;
     int interval = 0, since = 0;
-    std::vector<double> lengths, dampings; // of a spring of length 1 between nodes alike
+    std::vector<double> lengths, dampings; // of a spring of length 1 between equal nodes
 };
 
 /// Every cell contracts at the shortest period, in a phase of its own: neighbours pull against each other.

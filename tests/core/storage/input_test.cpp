@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_file_below_a_file_is_as_one_that_is_not_there) {
 
 BOOST_AUTO_TEST_CASE(what_may_not_be_read_now_may_be_read_another_time) {
     const TemporaryFolder folder;
-    // Links in a circle are refused whoever asks; a file without permission only if the tests are not root's.
+    // Links in a circle are refused for every user; a file without permission only if the tests do not run as root.
     std::filesystem::create_symlink(folder / "circle", folder / "circle");
     BOOST_TEST(contains(message_of<IoError>([&] { content_sha256(folder / "circle"); }),
                         "cannot open " + (folder / "circle").string() + ": "));

@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(sizes_count_those_with_fitness_by_ascending_size) {
 
 BOOST_AUTO_TEST_CASE(classes_of_fitness_are_hundredths_of_the_highest_and_exclude_their_upper_end) {
     BOOST_TEST((classes_of({200, 0, 1.9, 2, 3.9, 100, 199.9}) == Counts{{0, 2}, {1, 2}, {50, 1}, {99, 2}}));
-    // Whoever has exactly 100 % is in the last class.
+    // An individual with exactly 100 % is in the last class.
     BOOST_TEST((classes_of({7, 7, 7}) == Counts{{99, 3}}));
     BOOST_TEST((classes_of({1e-320, 0}) == Counts{{0, 1}, {99, 1}}));
     BOOST_TEST((classes_of({1e308, 1e308, 0}) == Counts{{0, 1}, {99, 2}}));
