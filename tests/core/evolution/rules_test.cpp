@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(innovations_are_kept_for_the_whole_run) {
     BOOST_TEST(plain.nodes.back().id == node);
 }
 
-BOOST_AUTO_TEST_CASE(no_two_children_of_a_generation_are_alike) {
+BOOST_AUTO_TEST_CASE(no_two_children_of_a_generation_are_equal) {
     const Parameters parameters;
     Population population = initial_population({4, 2, false}, parameters.neat, 3);
     for (int generation = 0; generation < 3; ++generation) {

@@ -43,14 +43,14 @@ constexpr std::size_t around = 64; // at most, beside the content
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(whatever_is_packed_comes_back) {
+BOOST_AUTO_TEST_CASE(packed_bytes_unpack_to_the_same_bytes) {
     for (const std::string &content :
          {std::string(), std::string("a"), std::string(1000, '\0'), std::string(100'000, 'x'), noise(5000),
           digits(5000), digits(200'000), std::string("text\0with\nall", 13)})
         BOOST_TEST((unpack(pack(content)) == content));
 }
 
-BOOST_AUTO_TEST_CASE(what_shrinks_is_shorter_and_what_does_not_is_hardly_longer) {
+BOOST_AUTO_TEST_CASE(compressible_bytes_become_shorter_and_others_hardly_longer) {
     BOOST_TEST(pack(digits(5000)).size() < 3000u);
     BOOST_TEST(pack(noise(5000)).size() <= 5000 + around);
     BOOST_TEST(pack("").size() <= around);

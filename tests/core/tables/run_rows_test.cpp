@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(quartiles_are_of_the_valid_alone) {
     BOOST_TEST(between.fitness_high == 3.25);
 }
 
-BOOST_AUTO_TEST_CASE(without_anyone_valid_the_quartiles_are_zero) {
+BOOST_AUTO_TEST_CASE(without_valid_individuals_the_quartiles_are_zero) {
     const GenerationRow row = row_of(3, [](int) { return dead(); });
     BOOST_TEST(row.valid == 0);
     BOOST_TEST(row.fitness_low == 0);
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(headings_are_unit_vectors_of_all_that_moved) {
     BOOST_TEST(row.best_y == 8);
 }
 
-BOOST_AUTO_TEST_CASE(near_the_best_is_who_has_more_than_nine_tenths_of_its_fitness) {
+BOOST_AUTO_TEST_CASE(individuals_near_the_best_have_more_than_nine_tenths_of_its_fitness) {
     // Of 10 the bound is 9, which is not near; the dead one counts among all.
     constexpr double fitness[] = {10, 9.5, 9, 1};
     BOOST_TEST(row_of(5, [&](int slot) {
