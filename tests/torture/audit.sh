@@ -171,7 +171,7 @@ while ((done < alterations)); do
     rm -rf "$altered"
     cp -r "$whole" "$altered"
     alter "${kinds[done % ${#kinds[@]}]}"
-    # Two generations may have equal rows, and a row no digit; that the same text is packed otherwise is no alteration.
+    # Two generations may have equal rows, and a row no digit; the same text in other packing is no alteration.
     for table in "${tables[@]}"; do
         if [[ -f $altered/$table ]] && cmp -s <(text_of "$whole/$table") <(text_of "$altered/$table"); then
             cp "$whole/$table" "$altered/$table"

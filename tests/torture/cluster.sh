@@ -41,7 +41,7 @@ mine() {
     for file in $files; do
         if (($#)) && ! grep -qzxF -- "$1" "$file" 2> /dev/null; then continue; fi
         file=${file#/proc/} file=${file%/environ}
-        # Not those that have just looked.
+        # Without the processes of this search, which have ended.
         if [[ $file != "$$" && -d /proc/$file ]]; then echo "$file"; fi
     done
 }

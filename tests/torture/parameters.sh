@@ -6,7 +6,7 @@
 #
 #   parameters.sh PROGRAM [NAME…]      all parameters, unless some are named
 #
-# Prints each parameter whose changes leave the signature as it is, and a last line that counts; fails if there is one.
+# Prints how each parameter was seen or that it was not, and a last line that counts; fails if one was not seen.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 program=$(realpath "$1")
