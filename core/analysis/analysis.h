@@ -38,7 +38,7 @@ struct Analysis {
     std::vector<Claim> claims;
     std::vector<std::string> endpoint_settings; // settings whose explored end points are tabled
     double sample_share = 0;                    // of the individuals that enter the table of end points
-    int sample_least = 0;                       // of a smaller run a larger share, so many on average
+    int sample_least = 0;                       // of a smaller run a larger share, this many on average
     double confidence = 0;                      // of all bootstrap intervals
     int resamples = 0;                          // of an interval, and draws of a permutation test
     int interval_runs = 10;                     // of fewer runs there is no interval

@@ -12,7 +12,7 @@
 
 namespace planula {
 
-/// The input of a test: two samples of runs after so many generations.
+/// The input of a test: two samples of runs after the same number of generations.
 struct Case {
     const Claim &claim;
     const Analysis &analysis;
@@ -24,7 +24,7 @@ struct Case {
 struct Finding {
     std::string effect_name;
     Maybe effect, low, high; // low and high: of the bootstrap interval, none with too few runs
-    Maybe p;                 // of a difference, or of so many
+    Maybe p;                 // of a difference, or of a count
     std::string method;      // how p was computed: exact, normal or drawn
     Maybe p_equivalence;     // of no difference beyond the claim's bound
     std::string verdict, note;

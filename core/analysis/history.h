@@ -45,7 +45,7 @@ struct RunHistory {
 /// Throws InputError with file and line if they are not that.
 std::vector<ChampionRow> read_champions(const RecordedRun &run);
 
-/// The champion after so many generations.
+/// The champion after a number of generations.
 const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations);
 
 /// Reads a run up to the last of the marks, which ascend from at least 1 to at most the run's generations.

@@ -18,7 +18,7 @@ namespace planula {
 /// The experiment's judgement of a finished life: fitness, behaviour and penalty (Eqs. 4 and 6).
 using Judge = std::function<Evaluation(const Life &)>;
 
-/// How generation 0 is evolved before the run: by so many generations of novelty search on growth alone. The
+/// How generation 0 is evolved before the run: by some generations of novelty search on growth alone. The
 /// judge is shown lives that end with development; their fitness is not read.
 struct Start {
     int generations = 1;

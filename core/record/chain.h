@@ -27,7 +27,7 @@ ChainRow chain_row(const std::string &before, const Generation &generation, cons
 /// last.
 std::vector<ChainRow> read_chain(const std::filesystem::path &folder);
 
-/// Reads the tables of a folder and compares them with its chain, which has so many generations. Throws InputError that
+/// Reads the tables of a folder and compares them with its chain. Throws InputError that
 /// names the first generation which differs.
 void check_chain(const std::filesystem::path &folder, const std::string &identity_sha256,
                  const std::vector<ChainRow> &chain);

@@ -42,7 +42,7 @@ constexpr bool is_kept_generation(int generation) {
     return generation == 25 || generation == 50 || (generation > 0 && generation % 100 == 0);
 }
 
-/// Whether a complete run of so many generations has the state before this one in states/.
+/// Whether a complete run of this many generations has the state before this one in states/.
 constexpr bool is_kept_at_end(int generation, int generations) {
     return is_kept_generation(generation) || generation == generations - 1;
 }

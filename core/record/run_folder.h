@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The directory of one run, <runs>/<setting>/seed-NNN/, as it lies on disk:
+// The directory of one run, <runs>/<setting>/seed-NNN/, as it is on disk:
 //
 //   identity.csv               what decides its genomes and lives, written before all else that it produces
 //   script/                    the script that began it, its modules, and what the command line set beside them
@@ -76,7 +76,7 @@ void remove_journals(const std::filesystem::path &folder);
 /// written, and IoError if it cannot be read.
 std::optional<Manifest> recorded_manifest(const std::filesystem::path &folder);
 
-/// Makes a folder for tables made of runs, and holds it for this process as long as the result lives. Throws
+/// Makes a folder for tables made of runs, and holds it for this process as long as the result exists. Throws
 /// RefusedError if another process holds it, or if it is the folder of a run, whose files must not be replaced.
 FolderLock hold_for_tables(const std::filesystem::path &out);
 

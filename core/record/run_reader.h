@@ -31,8 +31,9 @@ struct FoundRuns {
     std::vector<std::string> left_out; // "folder: reason"
 };
 
-/// The runs in <runs>/<setting>/ whose identity is that of the setting and that have at least so many generations;
-/// none if there is no such folder. Throws InputError for a damaged record, and IoError for one that cannot be read.
+/// The runs in <runs>/<setting>/ whose identity is that of the setting and that have at least the given number of
+/// generations; none if there is no such folder. Throws InputError for a damaged record, and IoError for one that
+/// cannot be read.
 FoundRuns find_runs(const std::filesystem::path &runs, const Spec &setting, int generations);
 
 /// The complete run in this folder. Throws InputError if the folder has no complete run.
@@ -60,7 +61,7 @@ std::vector<RunStatus> statuses(const std::filesystem::path &runs);
 /// Throws InputError naming the first file whose content is not what the manifest says.
 void check_files(const RecordedRun &run);
 
-/// The genome of the champion after so many generations. Throws InputError if the record has none.
+/// The genome of the champion after a number of generations. Throws InputError if the record has none.
 Genome read_champion_genome(const RecordedRun &run, int generations);
 
 /// The state before a generation of which states/ has a file. Throws InputError if that is damaged or of another run.

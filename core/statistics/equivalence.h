@@ -14,7 +14,7 @@ struct Equivalence {
     double effect;    // A12
     double deviation; // its standard deviation
     double p;         // one-sided: small if A12 lies within 1/2 ± bound
-    double least;     // the smallest p that so many values can give
+    double least;     // the smallest p that this number of values can give
 };
 
 /// `bound` lies in (0, 1/2). The samples (statistics/summary.h) are taken as independent.

@@ -45,7 +45,7 @@ template <class Row> std::string header_line() {
     return to_line(std::vector<std::string>(names.begin(), names.end()));
 }
 
-/// A table on its way to a folder, under its own name; it is there after commit(), which returns its SHA-256.
+/// Writes a table to a folder, under its own name; it is there after commit(), which returns its SHA-256.
 template <class Row> class TableWriter {
   public:
     explicit TableWriter(const std::filesystem::path &folder) : output_(folder / Row::file_name) {

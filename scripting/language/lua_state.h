@@ -56,7 +56,7 @@ struct Host {
         0; // of calls from the script through C back into the script, which use the stack of the process
     std::vector<const Source *> loaded; // by this state: the script, then its modules
     bool closed = false;                // no further module may be loaded
-    std::string thrown;                 // the message of an exception on its way into Lua (language/gate.h)
+    std::string thrown;                 // the message of an exception that is passed to Lua (language/gate.h)
 
     /// Starts counting for a call.
     void begin_call(const Limits &allowed);

@@ -162,7 +162,7 @@ held() { # held [START]: the processes that are held, of all tasks JOB_TASK or o
         if [[ -e $file && -d /proc/${file##*.} ]]; then echo "${file##*.}"; fi
     done
 }
-are_held() { # are_held NUMBER: so many
+are_held() { # are_held NUMBER
     local pids
     mapfile -t pids < <(held)
     is "${#pids[@]}" "$1"

@@ -13,14 +13,14 @@ namespace {
 const std::vector<double> low{1, 2, 3, 4, 5, 6}, high{11, 12, 13, 14, 15, 16},
     mixed{5.5, 2.5, 4.5, 3.5, 1.5, 6.5};
 
-/// from, from + 1, … so many
+/// from, from + 1, …: `count` values
 std::vector<double> values(double from, int count) {
     std::vector<double> result;
     for (int i = 0; i < count; ++i) result.push_back(from + i);
     return result;
 }
 
-/// An analysis planned with so many runs of each setting.
+/// An analysis planned with this many runs of each setting.
 Analysis planned(int seeds) {
     Analysis analysis = fake_analysis();
     analysis.design.design.seeds = seeds;

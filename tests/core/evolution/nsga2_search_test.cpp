@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_are_dropped) {
 }
 
 BOOST_AUTO_TEST_CASE(binary_tournaments_prefer_the_higher_rank) {
-    // Of n, the one at place i from 0 wins (2 (n − i) − 1) / n² of all tournaments; nobody mates here.
+    // Of n, the one at place i from 0 wins (2 (n − i) − 1) / n² of all tournaments; there is no mating here.
     Parameters parameters = populations::frozen(4000);
     parameters.novelty.novelty_neighbours = 1;
     Nsga2Search search(parameters);

@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(ages_stagnation_records_and_the_mark_go_as_worked_by_hand) 
 
 BOOST_AUTO_TEST_CASE(a_species_that_never_scored_has_the_floor_as_its_best) {
     const Population next = after(far_apart({2, 2}), {0, 1}, frozen(40));
-    BOOST_TEST(next.species.size() == 1u); // 1e-4 of 1 is a quota of nobody
+    BOOST_TEST(next.species.size() == 1u); // 1e-4 of 1 is a quota of no child
     const Population even = after(far_apart({2, 2}), {0, 0}, frozen(40));
     for (const Species &species : even.species) BOOST_TEST(species.best_ever == 1e-4);
     BOOST_TEST(even.best_ever == 0);
@@ -369,7 +369,7 @@ BOOST_AUTO_TEST_CASE(fewer_than_k_neighbours_are_all_of_them) {
         return search.score(population, evaluations);
     };
     BOOST_TEST(score({{0, {0}, 1}, {0, {4}, 1}}) == (std::vector<double>{4, 4}), per_element());
-    // From 1: 1 and 3 in the archive, 9 to the other. From 10: 10, 6, 9. The invalid is nobody's.
+    // From 1: 1 and 3 in the archive, 9 to the other. From 10: 10, 6, 9. The invalid one is no neighbour.
     BOOST_TEST(score({{0, {1}, 1}, {0, {10}, 1}}) == (std::vector<double>{13.0 / 3, 25.0 / 3}),
                per_element());
     // All four are archived: from 0 these are 0, 1, 4 and 10 away.

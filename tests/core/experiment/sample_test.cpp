@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t seed = 4;
 
-/// Whether the sample of a run of so many generations has the individual.
+/// Whether the sample of a run of this length has the individual.
 bool is_in_sample(int population, int generations, int generation, int slot) {
     return lot(seed, generation, slot) <
            sample_share(recorded_share, recorded_least, population, generations);

@@ -15,7 +15,7 @@ using namespace planula;
 
 namespace {
 
-/// Bodies are told apart by their cells; `lives` counts those judged.
+/// Bodies are distinguished by their number of cells; `lives` counts those judged.
 Spec with_start(int generations, int *lives = nullptr, Actuation actuation = Actuation::oscillator) {
     Spec spec;
     spec.name = "start";

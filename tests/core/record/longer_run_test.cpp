@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The same run with so many generations from the beginning.
+/// The same run, started with this number of generations.
 std::map<std::string, std::string> at_once(const std::string &search, int generations) {
     const TemporaryFolder folder;
     quick::write(folder / "run", quick::spec(search, generations));

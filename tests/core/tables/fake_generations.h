@@ -28,7 +28,7 @@ struct FakeLife {
 
 using Invent = std::function<FakeLife(int generation, int slot)>;
 
-/// A search that rewards nobody. That of a setting with an archive takes in the best of every generation.
+/// A search in which all scores are 0. That of a setting with an archive adds the best of every generation to it.
 struct FakeSearch : Search {
     bool has_archive = false;
     std::vector<ArchiveEntry> entries;

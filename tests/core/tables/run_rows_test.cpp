@@ -10,7 +10,7 @@ using boost::test_tools::tolerance;
 
 namespace {
 
-/// Calls check(generation) for a first generation of so many invented lives.
+/// Calls check(generation) for a first generation of this many invented lives.
 template <class Check>
 void observe(int population, const std::function<FakeLife(int slot)> &life, Check &&check) {
     FakeRun run(fake_spec("osc", 1, population), 1);
