@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- How the article's rules can be read (paper/decisions/0020-readings.md): evolves the replication's settings under each
 -- reading. The first reading is the standard one. Each of the others differs from it in one rule or
--- number, but for the second, which was the standard before heredity was measured.
+-- number, except the second, which was the standard before heredity was measured.
 local paper = require "paper"
 local replication = require "paper.replication"
 

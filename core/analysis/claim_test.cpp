@@ -184,7 +184,7 @@ int count_best(std::vector<RankedRun> all, int count, bool kind_first) {
         std::count_if(all.begin(), all.begin() + count, [](const RankedRun &x) { return x.counts; }));
 }
 
-/// Judges the best runs. Equal fitness speaks against either verdict.
+/// Judges the best runs. Equal fitness counts against either verdict.
 Finding judge_best(const Case &c, const std::vector<RankedRun> &all, const std::string &effect_name) {
     const int total = static_cast<int>(all.size()), count = std::min(c.claim.count, total);
     const int kind =

@@ -14,7 +14,7 @@ namespace planula {
 /// setting that it needs has no runs.
 int generations_of(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings);
 
-/// The claim's row, but for what depends on other claims. The histories have facts after generations_of() it.
+/// The claim's row, without the fields that depend on other claims. The histories have facts after generations_of() it.
 ClaimRow judge_claim(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings);
 
 /// Adds to the rows of an experiment its p-values corrected after Holm, over all of them, and by which p each verdict

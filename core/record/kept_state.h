@@ -3,7 +3,7 @@
 // resume with the same results: where it stands, and how long every table was.
 //
 // A run that is under way has `checkpoint`, and the one before it as `checkpoint.previous`. At every moment, whatever
-// happens to the process or the machine, one of them is whole; the tables that it speaks of were on disk before it. In
+// happens to the process or the machine, one of them is whole; the tables that it refers to were on disk before it. In
 // `states/` stay those before generations 25, 50 and every multiple of 100, for audits, and that before the run's last
 // generation, from which it can become longer.
 //
@@ -37,7 +37,7 @@ struct KeptState {
     const JournalMark &mark_of(std::string_view table) const;
 };
 
-/// Whether the state before this generation stays in states/ for good, however long the run becomes.
+/// Whether the state before this generation stays in states/ permanently, however long the run becomes.
 constexpr bool is_kept_generation(int generation) {
     return generation == 25 || generation == 50 || (generation > 0 && generation % 100 == 0);
 }

@@ -84,7 +84,7 @@ void RunWriter::observe(const Generation &generation) {
     CHECK(generation.lives.size() == size && generation.evaluations.size() == size &&
           generation.scores.size() == size);
 
-    // A champion is the best of the first generation, and everyone fitter than all before.
+    // A champion is the best of the first generation, and every individual fitter than all before.
     const double fitness = generation.evaluations[generation.best].fitness;
     const bool has_new_champion = observed_ == 0 || fitness > best_fitness_;
     if (has_new_champion) best_fitness_ = fitness;

@@ -94,7 +94,7 @@ return planula.fill({
       a = "grn-te-ns", b = "grn-te-neat", level = 0.5,
     },
 
-    -- §3.1: all runs end in a cyclic gait, but for one swimmer and one walker of NEAT with gene networks.
+    -- §3.1: all runs end in a cyclic gait, except one swimmer and one walker of NEAT with gene networks.
     {
       id = "S7a", statement = "Swimmers with oscillators, NEAT: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "osc-aq-neat", level = late_share, count = 0,

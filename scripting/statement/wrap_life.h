@@ -19,7 +19,7 @@ struct LifeSlot {
 /// Registers the type of `life` in a state.
 void wrap_life(lua_State *L);
 
-/// Pushes a `life` that shows nothing yet; its slot lives as long as the value does. May raise.
+/// Pushes a `life` that shows nothing yet; its slot exists as long as the value does. May raise.
 LifeSlot &push_life(lua_State *L);
 
 } // namespace planula

@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(controllers_without_velocities_need_memory) {
 BOOST_AUTO_TEST_CASE(generalisation_counts_the_625_starts) {
     const int good = generalisation(two_poles(false), [] { return remembering(); });
     BOOST_TEST(good >= 200);
-    BOOST_TEST(good < 625); // some starts are beyond saving
+    BOOST_TEST(good < 625); // some starts cannot be balanced
     // Without a push only the five stay up where all stands upright and still, wherever on the track.
     BOOST_TEST(generalisation(two_poles(false), [] { return Policy(rest); }) == 5);
 }

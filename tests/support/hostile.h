@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Genomes that no evolution would make, and what must hold of their lives all the same.
+// Genomes that no evolution would make, and what must still hold of their lives.
 #pragma once
 
 #include "evaluation/live.h"

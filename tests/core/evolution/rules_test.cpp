@@ -113,11 +113,11 @@ BOOST_AUTO_TEST_CASE(ages_stagnation_records_and_the_mark_go_as_worked_by_hand) 
         double record;
     };
     const Expected generations[] = {
-        // Nobody has a record yet, so the first in the list holds it; both rise above nothing.
+        // No species has a record yet, so the first in the list holds it; both improve.
         {{2, 3}, {1, 1}, {0, 0}, {2, 3}, 0, 3},
         // The mark follows the record of before; who loses it is young again.
         {{2.5, 1}, {0, 2}, {0, 1}, {2.5, 3}, 1, 3},
-        // To equal one's best is no rise. The new record of the other is not yet seen.
+        // A score equal to the best before is no improvement. The new record of the other is not yet seen.
         {{4, 3}, {1, 3}, {0, 2}, {4, 3}, 1, 4},
         {{1, 1}, {2, 0}, {1, 0}, {4, 3}, 0, 4},
         {{1, 1}, {3, 1}, {2, 1}, {4, 3}, 0, 4},
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(the_mark_alone_keeps_a_stagnating_species_alive) {
 }
 
 BOOST_AUTO_TEST_CASE(children_try_species_in_the_order_of_their_records) {
-    // All weights lie within the threshold of each other, so that the first species asked takes everyone.
+    // All weights lie within the threshold of each other, so that the first species in the order takes all.
     Population population = populations::of({{0}, {1}, {2}});
     const double records[] = {1, 3, 2};
     for (int i = 0; i < 3; ++i) population.species[i].best_ever = records[i];

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_the_record_does_not_know_had_its_standard_
     BOOST_TEST((differences(older, identity_of(other, seed)) ==
                 std::vector<std::string>{"parameter gravity: recorded with 5, asked for with 1"}));
 
-    // One that this version does not know decides with whatever value it has.
+    // The value of a parameter that this version does not know always counts.
     Identity newer = whole;
     newer.items.push_back({"parameter lift", "0.5", ""});
     BOOST_TEST(newer.sha256() != whole.sha256());

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(in_water_there_is_no_settling_and_rest_is_the_start) {
 }
 
 BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
-    // Slow from step 101 on but for one step, 500: it is at rest at step 500 + 800.
+    // Slow from step 101 on except at step 500: it is at rest at step 500 + 800.
     const auto model = soft_body(lattice(2, 1), land());
     SameSignal gait([](int) { return 0.0; });
     RecordingEngine engine;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The families of forces on whole bodies: those between nodes are internal, drag takes energy, contact gives back what
+// The families of forces on whole bodies: those between nodes are internal, drag takes energy, contact returns what
 // it took.
 #include "physics/reference/forces.h"
 

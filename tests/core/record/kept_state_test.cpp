@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(a_whole_file_with_invalid_content_is_refused_by_name) {
         const std::string said = message_of<InputError>([&] { read_state(folder / "checkpoint"); });
         BOOST_TEST(contains(said, (folder / "checkpoint").string() + ": saved state, byte "), said);
     };
-    // A whole content but for one thing.
+    // A complete content except for one thing.
     struct Content {
         std::string group = "run";
         std::int64_t generation = 2, archive = 3;

@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_source_is_refused_and_the_target_stays) {
         BOOST_TEST(!fs::exists(nowhere));
         write_bytes(from / file, whole);
     }
-    // The same, under way: what its newest checkpoint speaks of must be there.
+    // The same, under way: the tables of its newest checkpoint must be there.
     quick::run_on(from, quick::spec("novelty", 9), 3 * quick::population);
     for (const char *file : {"generations.csv.part", "archive.csv.gz.part", "chain.csv.part"}) {
         const std::string whole = read_bytes(from / file);

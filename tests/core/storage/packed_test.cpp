@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(compressible_bytes_become_shorter_and_others_hardly_longer)
 }
 
 BOOST_AUTO_TEST_CASE(nothing_packed_is_more_than_16_times_as_long) {
-    // What would shrink further is stored as it is.
+    // Content that would shrink further is stored without packing.
     for (const std::size_t size : {100u, 1000u, 10'000u, 100'000u, 1'000'000u}) {
         const std::string content(size, 'x');
         BOOST_TEST(pack(content).size() * 16 >= size);
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(packed_bytes_that_were_cut_or_changed_are_refused_or_mean_t
             BOOST_TEST(!unpacked(whole.substr(0, length)), length);
         BOOST_TEST(!unpacked(whole + '\0'));
     }
-    // Only the bytes of what is stored as it is may change unseen: the seal is there for these.
+    // Only changes in bytes that are stored without packing are not noticed here; the seal finds them.
     const std::string content = digits(1000), whole = pack(content);
     for (std::size_t bit = 0; bit < whole.size() * 8; ++bit) {
         std::string flipped = whole;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generations made by hand: whatever lives a test wants.
+// Generations made by hand, with the lives that a test states.
 #pragma once
 
 #include "base/state.h"

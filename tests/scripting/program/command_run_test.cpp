@@ -410,7 +410,7 @@ BOOST_AUTO_TEST_CASE(a_complete_run_that_was_killed_while_continued_resumes) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "30"}).code == 0);
     const auto shorter = all_files(place.runs());
-    // Without checkpoints, so that the newest state is one that is kept for good.
+    // Without checkpoints, so that the newest state is one that is kept permanently.
     const pid_t child =
         start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations", "100000",
                                     "--checkpoint", "1000000", "--out", place.runs()});
