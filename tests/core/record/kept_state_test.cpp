@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_kept_state_reads_back_whole) {
     BOOST_TEST(back.mark_of("generations.csv").length == 12);
     BOOST_TEST(back.mark_of("champions.csv").sha256 == "def");
     BOOST_TEST(message_of<InputError>([&] { back.mark_of("species.csv"); }) ==
-               "it knows nothing of species.csv");
+               "it has no mark of species.csv");
     BOOST_TEST(back.tables.size() == 2u);
     BOOST_TEST(back.link == kept.link);
     BOOST_TEST(back.archive == 3);
