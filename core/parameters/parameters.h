@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the model as one constant value, and the ledger that describes each of them. parameters.inl
-// is the only home of a number; this room does not know what the numbers are used for. Each section of the ledger is a
+// is the only place of a number; this room does not know what the numbers are used for. Each section of the ledger is a
 // struct, so that a model or a law holds the numbers that it reads and no others. Water, land and judgement are read by
 // experiments alone (by name, in Lua); the core is given environments and evaluations.
 #pragma once

@@ -19,8 +19,8 @@ end
 
 local longest = 8 -- times as long as wide; a body without width counts as this
 
--- Shape alone, known before the body moves: its size, how slender it is, and how densely its cells are linked (from 1
--- in a chain to nearly 3 in a disc).
+-- Shape alone, known before the body moves: its size, how slender it is, and how densely its cells are linked (from 1 in
+-- a chain to nearly 3 in a disc).
 function descriptors.shape(life)
   local elongation = life.elongation > 0 and math.min(life.elongation, longest) or longest
   return { life.cells / cells_per_niche, elongation, 4 * life.springs / math.max(life.cells, 1) }

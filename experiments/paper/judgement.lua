@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: MIT
--- How a finished life is judged (§2.7): the only place of Eqs. (4) and (6) and of the descriptor. A life is
+-- How a finished life is judged (§2.7): the only home of Eqs. (4) and (6) and of the descriptor. A life is
 -- {outcome, cells, largest, births, springs, triangles, elongation, settle_steps, late_actuation, rest = {x, y},
 -- finish = {x, y}, activity, displacement, path = {{x, y}, …}}; parameters are those of the setting.
 
--- Eq. (6): p. It is 0 for every outcome except "viable": no cell left, fewer than minimum_cells,
+-- Eq. (6): p. Every outcome but "viable" is one of its zeros: no cell left, fewer than minimum_cells,
 -- cell_limit reached even once, never at rest; "exploded" (the simulation broke down) is ours.
 local function penalty(life, parameters)
   if life.outcome ~= "viable" then return 0 end

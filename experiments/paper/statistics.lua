@@ -3,24 +3,23 @@
 -- parts are split: S4a and S4b are both the paper's. `paper` is its own evidence; generations count from 1. The
 -- tests are described in core/analysis/analysis.h, their arithmetic is core/statistics.
 --
--- A test is two-tailed where the paper's is. A claim of no difference states with `bound` which difference is
--- negligible, and is reproduced only if a test shows that the difference is smaller; decision 0015 has the error rates
--- of all tests.
+-- A test is two-tailed where the paper's is. A claim of no difference states with `bound` which difference is negligible, and is
+-- reproduced only if a test shows that the difference is smaller; decision 0015 has the error rates of all tests.
 --
--- What the paper shows only by pictures is tested by a number where a number says the same. S14 has no such number (how
--- the best bodies look), which is left to Figs. 3-5.
+-- What the paper shows only by pictures is tested by a number where a number says the same. There is none for S14 (how the
+-- best bodies look), which is left to Figs. 3-5.
 local summary = require "paper.summary"
 
--- §3.1: a gait is cyclic if its last quarter has at least this share of the path and this share of all changes of the
--- muscle signals; an even gait has 0.25 of both.
+-- §3.1: a gait is cyclic if its last quarter has at least this share of the path and this share of all changes of the muscle
+-- signals; an even gait has 0.25 of both.
 local late_share = 0.1
 
--- S7 is reproduced if its number of runs shows that fewer than this share of all runs would lack a cyclic gait: of 20
--- runs at most one may.
+-- S7 is reproduced if its number of runs shows that fewer than this share of all runs would lack a cyclic gait: of 20 runs
+-- at most one may.
 local without_gait = 0.25
 
--- No difference: A12 between 0.29 and 0.71, beyond which Vargha & Delaney (2000) call an effect large. Twenty runs
--- against twenty cannot show much less.
+-- No difference: A12 between 0.29 and 0.71, beyond which Vargha & Delaney (2000) call an effect large. Twenty runs against
+-- twenty cannot show much less.
 local no_large_effect = 0.21
 
 return planula.fill({
@@ -94,7 +93,7 @@ return planula.fill({
       a = "grn-te-ns", b = "grn-te-neat", level = 0.5,
     },
 
-    -- §3.1: all runs end in a cyclic gait, except one swimmer and one walker of NEAT with gene networks.
+    -- §3.1: all runs end in a cyclic gait, but for one swimmer and one walker of NEAT with gene networks.
     {
       id = "S7a", statement = "Swimmers with oscillators, NEAT: all gaits are cyclic", calibrated = true,
       section = "§3.1", paper = "0 of 20 are not", test = "cyclic", a = "osc-aq-neat", level = late_share, count = 0,
@@ -136,8 +135,8 @@ return planula.fill({
       bound = without_gait,
     },
 
-    -- §3.1: which search the best runs belong to. By chance the best three of 40 runs too often belong to one search:
-    -- S9 stays inconclusive whatever is found, S10 nearly so; the table says why.
+    -- §3.1: which search the best runs belong to. By chance the best three of 40 runs too often belong to one search: S9
+    -- stays inconclusive whatever is found, S10 nearly so; the table says why.
     {
       id = "S8", statement = "Swimmers with oscillators: the five best runs are novelty search's",
       section = "§3.1", paper = "5 of 5", test = "top_runs", a = "osc-aq-ns", b = "osc-aq-neat", count = 5,
