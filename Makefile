@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Everything that planula does, as targets: `make help` lists them. Each target makes or installs what it needs, on Debian 12
-# the system packages too; a second call with nothing to do takes seconds.
+# Everything that planula does, as targets: `make help` lists them. Each target makes or installs what it needs, on
+# Debian 12 the system packages too; a second call with nothing to do takes seconds.
 
 # ---- What the caller may set -----------------------------------------------------------------------------------------
 SEEDS ?= 1:3
@@ -230,8 +230,8 @@ build/CMakeCache.txt:
 	@mkdir -p build
 	@cmake -S . -B build > build/configure.log 2>&1 || { cat build/configure.log; rm -f $@; exit 1; }
 
-# $(call replace_if_changed,NEW,OLD): moves every file of folder NEW to OLD whose content differs, so that what depends on
-# an unchanged table is not made again.
+# $(call replace_if_changed,NEW,OLD): moves every file of folder NEW to OLD whose content differs, so that what depends
+# on an unchanged table is not made again.
 replace_if_changed = mkdir -p $(2); for file in $(1)/*; do \
   cmp -s "$$file" "$(2)/$${file\#\#*/}" || mv "$$file" "$(2)/$${file\#\#*/}"; done; rm -rf $(1)
 
@@ -291,8 +291,8 @@ $(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/pa
 	@mkdir -p $(FIGURES)/$*
 	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
 
-# The article: typeset twice, for its references. TeX gets the folder of the data as two macros. The tables of the witness, of
-# sensitivity, of searches and of readings are left out where the data have none.
+# The article: typeset twice, for its references. TeX gets the folder of the data as two macros. The tables of the
+# witness, of sensitivity, of searches and of readings are left out where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
     $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Headers of the standard library, compiled once for all targets with the same flags. A source still includes all that it
-# uses; `make torture` builds without precompiled headers.
+# Headers of the standard library, compiled once for all targets with the same flags. A source still includes all that
+# it uses; `make torture` builds without precompiled headers.
 set(STANDARD_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numeric>
                      <optional> <ostream> <set> <span> <string> <string_view> <utility> <vector>)
 
@@ -13,8 +13,8 @@ function(share_headers target owner)
     endif()
 endfunction()
 
-# room(NAME [DEPENDS room …]): one folder of core/ or scripting/ as a static library under the compiler contract; main.cpp
-# is left out, which makes an executable of it.
+# room(NAME [DEPENDS room …]): one folder of core/ or scripting/ as a static library under the compiler contract;
+# main.cpp is left out, which makes an executable of it.
 function(room name)
     cmake_parse_arguments(ROOM "" "" "DEPENDS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)

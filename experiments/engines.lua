@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The paper's experiment with another engine: the same bodies, forces and searches, moved by Bullet and its
--- contacts. `planula witness` simulates its champions in the native engine too.
+-- The paper's experiment with another engine: the same bodies, forces and searches, with the integration and ground
+-- contact of Bullet. `planula witness` simulates its champions in the native engine too.
 local replication = require "paper.replication"
 
 local settings = {}

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- How the article's rules can be read (paper/decisions/0020-readings.md): evolves the replication's settings under each
 -- reading. The first reading is the standard one. Each of the others differs from it in one rule or
--- number, but for the second, which was the standard before heredity was measured.
+-- number, except the second, which was the standard before heredity was measured.
 local paper = require "paper"
 local replication = require "paper.replication"
 
@@ -21,7 +21,7 @@ local readings = {
   { name = "clearance", title = "daughters need 0.75 cells",               parameters = { division_clearance = 0.75 } },
   { name = "start-1",   title = "start weights up to 1",                   parameters = { start_weight = 1 } },
   { name = "power-1",   title = "weight mutations up to 1",                parameters = { weight_power = 1 } },
-  -- What gene networks read while they move, and what novelty search drops, concerns some settings only.
+  -- What gene networks read during locomotion, and what novelty search leaves out, concerns some settings only.
   { name = "rising",    title = "time goes on rising",                     parameters = { gait_time = "rising" },     only = "grn" },
   { name = "present",   title = "networks read their present place",       parameters = { gait_place = "present" },   only = "grn" },
   { name = "aged",      title = "novelty search with factors of age",      parameters = { novelty_species = "aged" }, only = "-ns" },

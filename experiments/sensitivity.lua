@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- How much do the results depend on the values that the paper does not give? Evolves all its settings at its population,
--- for few generations; then simulates a sample of what evolved with each of those values halved and doubled:
+-- How much do the results depend on the values that the paper does not give? Evolves all its settings at its
+-- population, for few generations; then simulates a sample of what evolved with each of those values halved and
+-- doubled:
 --   make sensitivity
 return planula.fill({
   name = "sensitivity",

@@ -3,8 +3,8 @@
 -- over these runs is the revision of the model, so whatever changes here changes that, too.
 --
 -- The paper's settings come first, with their own parameters. In the others rules act within a few generations
--- that would otherwise act late or seldom: evaluations are brief, and parameters have values at which a change of any of them
--- shows, which tests/torture/parameters.sh checks. Nothing here is meant to evolve well.
+-- that would otherwise act late or seldom: evaluations are brief, and parameters have values at which a change of any
+-- of them shows, which tests/torture/parameters.sh checks. Nothing here is meant to evolve well.
 local paper = require "paper"
 local descriptors = require "descriptors"
 local replication = require "paper.replication"

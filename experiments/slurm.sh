@@ -4,19 +4,20 @@
 #
 #   sbatch --array=1-N experiments/slurm.sh FILE.lua [OPTION]...
 #
-# from the folder of planula; the options are those of `planula run` except --part and --threads. All tasks may share one
-# --out on a file system that all nodes see, or have one on each node: `planula merge` gathers them. In the second case a
-# task that is requeued to another node starts its run again there, unless --nodelist holds it where it was.
+# from the folder of planula; the options are those of `planula run` except --part and --threads. All tasks may share
+# one --out on a file system that all nodes see, or have one on each node: `planula merge` gathers them. In the second
+# case a task that is requeued to another node starts its run again there, unless --nodelist holds it where it was.
 #
 # - Time limit: Slurm signals this script a minute before, planula stops and keeps its state, and the task is requeued.
 # - A node that fails: Slurm requeues the task, and planula resumes from the last checkpoint.
-# - `scancel`: planula keeps its state, and the task ends. The same sbatch line resumes it; to submit single tasks again,
-#   say how many there are in all: PARTS=16 sbatch --array=3,7 …
-# - A run that another process works on: the task waits up to PATIENCE seconds (120), because a process of a task that was
-#   requeued may be about to end. Then it ends with exit code 73, without requeueing: the other process has the run.
+# - `scancel`: planula keeps its state, and the task ends. The same sbatch line resumes it; to submit single
+#   tasks again, say how many there are in all: PARTS=16 sbatch --array=3,7 …
+# - A run that another process works on: the task waits up to PATIENCE seconds (120), because a process of a task
+#   that was requeued may be about to end. Then it ends with exit code 73, without requeueing: the other process has
+#   the run.
 #
-# PLANULA names another program than build/planula. What follows can be set otherwise on the sbatch line. A run takes one
-# core and some 60 MB at a population of 300; with more cores than runs a task is faster, but not by as much.
+# PLANULA names another program than build/planula. What follows can be set otherwise on the sbatch line. A run takes
+# one core and some 60 MB at a population of 300; with more cores than runs a task is faster, but not by as much.
 #SBATCH --job-name=planula
 #SBATCH --time=04:00:00
 #SBATCH --signal=B:USR1@60
@@ -27,8 +28,8 @@
 set -uo pipefail
 
 child='' stopped='' cancelled=''
-# stop SIGNAL: asks planula to stop, once: it would die of a second signal of the same kind. Slurm sends USR1 to this script
-# alone, and TERM to all processes of a task that it cancels, so that TERM is passed on as USR1.
+# stop SIGNAL: asks planula to stop, once: it would die of a second signal of the same kind. Slurm sends USR1 to this
+# script alone, and TERM to all processes of a task that it cancels, so that TERM is passed on as USR1.
 stop() {
     [[ $1 != TERM ]] || cancelled=yes
     [[ -n $stopped || -z $child ]] || kill -USR1 "$child" 2> /dev/null

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- All settings of the paper at a size that takes a minute, to see whether everything works together. Its claims stay open or
--- inconclusive, since too little is run to judge them.
+-- All settings of the paper at a size that takes a minute, to see whether everything works together. Its claims stay
+-- open or inconclusive, since too little is run to judge them.
 return planula.fill({
   name = "smoke",
   title = "Every setting, for a minute",

@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(eq_7_is_the_mean_distance_to_the_nearest_behaviours) {
     const std::vector<double> novelty = search.score(population, evaluations);
     BOOST_TEST(novelty[0] == 3.5, near);
     BOOST_TEST(novelty[1] == 4, near); // 3 to the origin, 5 to (0, 4)
-    BOOST_TEST(novelty[4] == 0);       // not valid, and no one's neighbour
+    BOOST_TEST(novelty[4] == 0);       // not valid, and no neighbour of others
 }
 
 BOOST_AUTO_TEST_CASE(eq_8_is_shannons_entropy_of_sizes_in_nats) {

@@ -38,7 +38,7 @@ struct Analysis {
     std::vector<Claim> claims;
     std::vector<std::string> endpoint_settings; // settings whose explored end points are tabled
     double sample_share = 0;                    // of the individuals that enter the table of end points
-    int sample_least = 0;                       // of a smaller run a larger share, so many on average
+    int sample_least = 0;                       // of a smaller run a larger share, this many on average
     double confidence = 0;                      // of all bootstrap intervals
     int resamples = 0;                          // of an interval, and draws of a permutation test
     int interval_runs = 10;                     // of fewer runs there is no interval
@@ -68,10 +68,10 @@ struct Analysis {
 ///               and a share of at least `level` reproduce, b ahead contradicts
 ///
 /// Counts, with exact p:
-///   top_runs    how many of the best `count` runs of both are a's; with p below the significance all of them reproduce,
-///               fewer than half contradict; p: hypergeometric
-///   elongated   how many of the best `count` runs of both are a's and have a champion more elongated than the median of
-///               all runs; judged as top_runs
+///   top_runs    how many of the best `count` runs of both are a's; with p below the significance all of them
+///               reproduce, fewer than half contradict; p: hypergeometric
+///   elongated   how many of the best `count` runs of both are a's and have a champion more elongated than the median
+///               of all runs; judged as top_runs
 ///   cyclic      runs of a whose champion made less than `level` of its way, or of its muscles' changes, in the last
 ///               quarter. At most `count` reproduce if they show that the share of such runs is below `bound`
 ///               (one-sided binomial test, the p of equivalence); more contradict if they are too many beside the

@@ -44,7 +44,7 @@ void explain(const Case &c, double least, const std::string &of_what, Finding &f
 
 using Measure = std::function<Maybe(const RunHistory &history, int generations)>;
 
-/// The values of a setting's runs; runs without one are told of in the note.
+/// The values of a setting's runs; runs without one are reported in the note.
 std::vector<double> measure_all(const Case &c, const SettingRuns &setting, const Measure &measure,
                                 std::string &note) {
     std::vector<double> values;
@@ -184,7 +184,7 @@ int count_best(std::vector<RankedRun> all, int count, bool kind_first) {
         std::count_if(all.begin(), all.begin() + count, [](const RankedRun &x) { return x.counts; }));
 }
 
-/// Judges the best runs. Equal fitness speaks against either verdict.
+/// Judges the best runs. Equal fitness counts against either verdict.
 Finding judge_best(const Case &c, const std::vector<RankedRun> &all, const std::string &effect_name) {
     const int total = static_cast<int>(all.size()), count = std::min(c.claim.count, total);
     const int kind =
@@ -225,7 +225,7 @@ Finding cyclic(const Case &c) {
         found += !is_cyclic(champion.late_share, champion.late_actuation, c.claim.level);
     }
 
-    // The original's runs and ours together: how often would chance give ours so many?
+    // The original's runs and ours together: how often would chance give ours this many?
     const int ours = static_cast<int>(c.a->runs.size()), original = c.analysis.design.design.seeds;
     const int stuck = found + std::min(c.claim.count, original);
     Finding finding{.effect_name = "runs without a lasting gait", .effect = found};

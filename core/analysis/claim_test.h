@@ -12,7 +12,7 @@
 
 namespace planula {
 
-/// What a test sees: two samples of runs after so many generations.
+/// The input of a test: two samples of runs after the same number of generations.
 struct Case {
     const Claim &claim;
     const Analysis &analysis;
@@ -24,7 +24,7 @@ struct Case {
 struct Finding {
     std::string effect_name;
     Maybe effect, low, high; // low and high: of the bootstrap interval, none with too few runs
-    Maybe p;                 // of a difference, or of so many
+    Maybe p;                 // of a difference, or of a count
     std::string method;      // how p was computed: exact, normal or drawn
     Maybe p_equivalence;     // of no difference beyond the claim's bound
     std::string verdict, note;
@@ -32,15 +32,15 @@ struct Finding {
 
 struct ClaimTest {
     std::string_view name;
-    /// What of a claim the test uses: `expect`, of no difference also `bound`, and two settings; `level` and two; `count`
-    /// and two; or `level`, `count`, `bound` and setting a alone.
+    /// What of a claim the test uses: `expect`, of no difference also `bound`, and two settings; `level` and two;
+    /// `count` and two; or `level`, `count`, `bound` and setting a alone.
     enum Needs { ranks, level_of_two, count_of_two, count_of_one } needs;
     Finding (*judge)(const Case &);
 
     bool compares_two() const { return needs != count_of_one; }
 };
 
-/// The test of that name; null if there is none.
+/// The test of that name, or null.
 const ClaimTest *find_test(std::string_view name);
 
 /// The verdict of a rank-sum test, from its p and its effect A12; expecting no difference, from both of its p.

@@ -14,11 +14,11 @@ namespace planula {
 /// setting that it needs has no runs.
 int generations_of(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings);
 
-/// The claim's row, but for what depends on other claims. The histories have facts after generations_of() it.
+/// The claim's row, without the fields that depend on other claims. The histories have facts after generations_of() it.
 ClaimRow judge_claim(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings);
 
-/// Adds to the rows of an experiment its p-values corrected after Holm, over all of them, and by which p each verdict is
-/// decided: by the corrected one if that is below the significance too, else by p alone.
+/// Adds to the rows of an experiment its p-values corrected after Holm, over all of them, and by which p each verdict
+/// is decided: by the corrected one if that is below the significance too, else by p alone.
 void correct_claims(std::span<ClaimRow> rows, double significance);
 
 } // namespace planula

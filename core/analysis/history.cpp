@@ -70,7 +70,7 @@ class Headings {
         });
     }
 
-    /// The length of their mean over those in the sample of a run of so many generations.
+    /// The length of their mean over those in the sample of a run of that length.
     Maybe resultant(int generations) const {
         Vec2d sum;
         double count = 0;

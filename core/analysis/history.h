@@ -45,14 +45,14 @@ struct RunHistory {
 /// Throws InputError with file and line if they are not that.
 std::vector<ChampionRow> read_champions(const RecordedRun &run);
 
-/// The champion after so many generations.
+/// The champion after a number of generations.
 const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations);
 
 /// Reads a run up to the last of the marks, which ascend from at least 1 to at most the run's generations.
-/// `after` has an entry for each mark. `fitness_classes` divides 100. Who ends nearer than `direction_distance`, in cells,
-/// to where it rested has no direction. Directions are those of the individuals in the sample of a run that ends at the
-/// mark (experiment/sample.h), however the run is recorded. Throws InputError with file and line if the tables are not
-/// those of a run.
+/// `after` has an entry for each mark. `fitness_classes` divides 100. Who ends nearer than `direction_distance`, in
+/// cells, to where it rested has no direction. Directions are those of the individuals in the sample of a run that ends
+/// at the mark (experiment/sample.h), however the run is recorded. Throws InputError with file and line if the tables
+/// are not those of a run.
 RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes,
                         double direction_distance);
 

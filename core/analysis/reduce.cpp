@@ -55,7 +55,7 @@ void read_histories(const Analysis &analysis, std::vector<SettingRuns> &settings
     });
 }
 
-/// The sample that the analysis wants of a run must be among what the run has recorded.
+/// The sample that the analysis takes of a run must be among the individuals that the run has recorded.
 void check_samples(const Analysis &analysis, std::span<const SettingRuns> settings) {
     if (analysis.sample_share <= recorded_share && analysis.sample_least <= recorded_least) return;
     for (const SettingRuns &setting : settings)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recorded run simulated again from the nearest kept state: this gives back every individual that was evaluated, and
+// A recorded run simulated again from the nearest kept state: this gives every individual that was evaluated, and
 // the record can be compared with the results of the model.
 #pragma once
 

@@ -26,7 +26,7 @@ constexpr std::string_view origin_ours = "ours";
 // Recorded with a life, but no part of it.
 constexpr std::string_view only_recorded = "path_interval";
 
-/// A genome on its way into the sample.
+/// A genome that may enter the sample.
 struct Drawn {
     double lot;
     std::int64_t seed;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How sensitive results are to a number: individuals that evolved with the standard value of a parameter are simulated
 // again with another. Their displacement and viability show whether a value that is not published (origin `ours`)
-// decides the results. Evolution is not repeated, so this is the effect on bodies and gaits that suit the standard value,
-// not on those that would have evolved with the other.
+// decides the results. Evolution is not repeated, so this is the effect on bodies and gaits that suit the standard
+// value, not on those that would have evolved with the other.
 #pragma once
 
 #include "analysis/analysis.h"
@@ -43,8 +43,8 @@ double used(const ParameterRow &parameter, const Spec &spec);
 /// asked for.
 std::vector<std::string_view> assumed_parameters();
 
-/// `standard` times `factor`, brought into the parameter's range, or else no farther out than `standard` is, and rounded
-/// if it must be whole.
+/// `standard` times `factor`, brought into the parameter's range, or else no farther out than `standard` is, and
+/// rounded if it must be whole.
 double varied(const ParameterRow &parameter, double standard, double factor);
 
 /// The sample's lives under `changed`, its setting with one parameter's value changed, against those before.

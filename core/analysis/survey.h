@@ -12,7 +12,7 @@
 
 namespace planula {
 
-/// The runs of one setting; none if there are none.
+/// The runs of one setting; may be empty.
 struct SettingRuns {
     const Spec *spec = nullptr;
     std::vector<RecordedRun> runs;     // by ascending seed
@@ -23,7 +23,7 @@ struct SettingRuns {
     const RunFacts &outcome_of(std::size_t run) const { return histories[run].after.at(generations); }
 };
 
-/// Finds the chosen runs of every setting. Throws InputError if there is none at all.
+/// Finds the chosen runs of every setting. Throws InputError if no setting has a run.
 std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice &choice);
 
 /// Places of the runs in descending order of their champions' fitness; of equals the lower seed comes first.

@@ -29,7 +29,8 @@ struct InternalError : Error {
 struct CreateError : Error {
     explicit CreateError(const std::string &message) : Error(73, message) {}
 };
-/// A folder that another process works in, or that holds something else than what is to come there: it stays as it is.
+/// A folder that another process works in, or that holds something else than the command would write: it is not
+/// changed.
 struct RefusedError : CreateError {
     using CreateError::CreateError;
 };

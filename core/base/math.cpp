@@ -35,7 +35,7 @@ double cos_small(double r) {
 /// sin(x + quarters * π/2).
 double sin_shifted(double x, int quarters) {
     if (!std::isfinite(x)) return not_a_number;
-    if (std::abs(x) > 0x1p20) x = std::fmod(x, 2 * pi); // fmod is exact, hence the same everywhere
+    if (std::abs(x) > 0x1p20) x = std::fmod(x, 2 * pi); // fmod is exact, so the same everywhere
     const double k = nearest(x * (2 / pi));
     const double r = ((x - k * half_pi_1) - k * half_pi_2) - k * half_pi_3;
     switch ((static_cast<std::int64_t>(k) + quarters) & 3) {

@@ -53,7 +53,7 @@ class Crew {
 /// depend on each other. If tasks throw, the exception of the lowest index is thrown again here.
 void parallel_for(int count, int threads, const std::function<void(int)> &task);
 
-/// Who does the tasks of a job: threads of its own, or a crew that it shares with others. Nothing depends on which.
+/// The threads that compute the tasks of a job: its own, or a crew shared with others. No result depends on which.
 class Workers {
   public:
     Workers(int threads) : threads_(threads) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The neighbourhood of cells, in embryos and bodies alike (§2.1; decision 0004): the Delaunay triangulation
+// The neighbourhood of cells, in embryos and in bodies (§2.1; decision 0004): the Delaunay triangulation
 // without links longer than 150 % of a cell diameter, except where such a link holds the body together.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace planula {
 
 /// Links: all of length <= `limit`; then, in ascending order of length (ties by index), each longer Delaunay
-/// link whose ends are not yet connected. Triangles: the Delaunay faces whose three links all survive.
+/// link whose ends are not yet connected. Triangles: the Delaunay faces whose three links are all kept.
 /// Positions must be finite and pairwise different; check with has_coincident_points.
 Mesh connect(std::span<const Vec2d> positions, double limit);
 

@@ -33,8 +33,8 @@ Vec2d daughter_position(Vec2d mother, Vec2d direction, std::uint64_t lineage,
                         const DevelopmentParameters &parameters);
 
 /// Divides one cell unless another centre lies within division_clearance of the daughter's place. The
-/// daughter inherits velocity, activations and morphogen, and the mother's orientation; whoever division_turn names
-/// takes the direction as orientation. Returns whether it divided; a refused division changes nothing. Links are
+/// daughter inherits velocity, activations and morphogen, and the mother's orientation; the cells that division_turn
+/// names take the direction as orientation. Returns whether it divided; a refused division changes nothing. Links are
 /// stale afterwards.
 bool divide(int mother, Vec2d direction, const DevelopmentParameters &parameters, Embryo &embryo);
 

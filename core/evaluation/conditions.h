@@ -23,7 +23,7 @@ struct Conditions {
     double actuation_range = 0; // largest change of a rest length when both cells agree (§2.5)
     Environment environment;
     std::string engine = "native"; // a name of make_engine()
-    int refinement = 1;            // locomotion takes so many physics steps for each of the parameters'
+    int refinement = 1;            // the number of physics steps of locomotion for each of the parameters'
     Nudge nudge;                   // none in any evolution
     std::optional<int>
         held_from; // the muscles hold still from this step of locomotion on; none in any evolution

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Individuals that need not be simulated again (§2.7: a champion is copied unchanged into the next generation). live() is
-// pure, so equal genomes have equal lives; and bodies driven by oscillators move alike if their cell centres, periods and
-// phases are equal, whatever their genomes. With networks as muscles the genome alone decides.
+// Individuals that need not be simulated again (§2.7: a champion is copied unchanged into the next generation). live()
+// is pure, so equal genomes have equal lives; and bodies driven by oscillators move equally if their cell centres,
+// periods and phases are equal, whatever their genomes. With networks as muscles the genome alone decides.
 //
 // A memo belongs to one run: all its lives have the same conditions. It remembers one generation, that of the parents.
 // Equal individuals are found by comparing all that a life depends on, bit by bit. While a generation is simulated the

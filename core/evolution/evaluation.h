@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What evolution is told about an individual: it knows genomes and evaluations, never an animat.
+// What evolution reads of an individual: its genome and evaluation, nothing of the animat.
 #pragma once
 
 #include "base/state.h"

@@ -3,7 +3,7 @@
 // novelty search and local competition", GECCO): an individual competes with those that behave like it, so that every
 // way of behaving is improved by its own measure. NSGA-II with three objectives: novelty, local competition and
 // genotypic diversity; the last takes the place of crowding in the space of objectives, which would conflate
-// individuals that differ although they score alike.
+// individuals that differ but have equal scores.
 #pragma once
 
 #include "evolution/pareto_search.h"

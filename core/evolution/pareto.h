@@ -14,7 +14,7 @@ namespace planula {
 using Objectives = std::vector<double>;
 
 /// Constrained domination (§VI.A): a feasible solution dominates one that is not; of two feasible ones, one that is
-/// nowhere lower and somewhere higher; those that are not feasible are all alike.
+/// nowhere lower and somewhere higher; of two that are not feasible, neither dominates.
 bool dominates(const Objectives &a, const Objectives &b);
 
 /// All solutions, front by front, each in ascending order of index.

@@ -5,7 +5,7 @@
 // not simulated again. Each search defines its objectives and its diversity.
 //
 // One objective is always novelty, Eq. (7), times the penalty. It is computed in every generation, for kept and new
-// individuals alike, among all of both and the archive. The archive is that of novelty search; only new individuals
+// individuals, among all of both and the archive. The archive is that of novelty search; only new individuals
 // enter it. An invalid individual is not feasible.
 #pragma once
 

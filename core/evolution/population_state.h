@@ -12,7 +12,8 @@ namespace planula {
 /// Needs a complete generation (evolution/species.h).
 void save(const Population &population, StateWriter &writer);
 
-/// A population of `size` genomes in a run of so many generations. Throws InputError naming the rule that the bytes break.
+/// A population of `size` genomes in a run of `generations`. Throws InputError naming the rule that the bytes
+/// break.
 Population load_population(const NetworkShape &shape, int size, int generations, StateReader &reader);
 
 /// What the genome alone cannot say: throws InputError unless it is born before the population's next genome and, in a

@@ -10,7 +10,7 @@
 namespace planula {
 
 /// Gives the child an id and puts it into the first species, in list order, whose representative lies within the
-/// population's threshold; if there is none, the child founds a species behind all others.
+/// population's threshold; if no species is, the child founds a species behind all others.
 void add_child(const NeatParameters &parameters, Population &population, Genome child);
 
 /// Ends the birth of a generation of `size`: species without members go, places left over are filled with copies of the

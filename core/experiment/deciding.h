@@ -19,8 +19,8 @@ bool decides_lives(const ParameterRow &row);
 /// that no parameter has.
 std::string why_not_shown(std::string_view name);
 
-/// Why no command reads a parameter in this setting, as the end of a sentence that begins with the setting; "" if one may
-/// read it. The setting's judging functions may read it all the same.
+/// Why no command reads a parameter in this setting, as the end of a sentence that begins with the setting; "" if one
+/// may read it. The setting's judging functions may read it all the same.
 std::string why_unread(const ParameterRow &row, const Spec &spec);
 
 } // namespace planula

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Everything that a generation is, as one hash: population, lives, evaluations, scores, species and archive, to
-// the bit. Two generations are equal if and only if their digests are (but for a collision of SHA-256). A list
+// the bit. Two generations are equal if and only if their digests are (except for a collision of SHA-256). A list
 // is fed with its length. Fields are fed as their bit patterns, so that 0 and -0 differ. It costs about 20 µs
 // for an individual.
 #pragma once

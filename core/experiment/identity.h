@@ -26,7 +26,7 @@ struct IdentityItem {
 struct Identity {
     std::vector<IdentityItem> items;
 
-    /// The value of a key; null if there is none.
+    /// The value of a key, or null.
     const std::string *find(std::string_view key) const;
     /// The item of a key; the standard value where a parameter is not there, and "nothing" where nothing is.
     IdentityItem item(const std::string &key) const;

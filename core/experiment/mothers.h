@@ -18,7 +18,7 @@
 
 namespace planula {
 
-/// What someone who is or may become a mother did.
+/// The results of an individual that is or may become a mother.
 struct MotherLife {
     double fitness = 0; // Eq. 4, whatever the search rewards
     int cells = 0;      // at the end of development

@@ -32,8 +32,8 @@ struct Generation {
     Known known;
 };
 
-/// A run between two generations: the population to simulate next, the search after the generations before, and what the
-/// mothers of this population, and all that may become one, did.
+/// A run between two generations: the population to simulate next, the search after the generations before, and what
+/// the mothers of this population, and all that may become one, did.
 struct RunState {
     Population population;
     std::unique_ptr<Search> search;

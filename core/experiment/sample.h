@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which individuals a run records. A run recorded in full keeps a row of every individual: some 45 MB compressed for the
-// paper's 2000 generations of 300. One recorded as a sample keeps a random part that suffices for figures and claims:
-// one in a hundred, and of a shorter run as many more as make a thousand. Each individual has a lot, drawn from a
-// stream of its own, and is in the sample of a run of so many generations if its lot is below that run's share. A run
+// Which individuals a run records. A run recorded in full keeps a row of every individual: some 45 MB compressed for
+// the paper's 2000 generations of 300. One recorded as a sample keeps a random part that suffices for figures and
+// claims: one in a hundred, and of a shorter run as many more as make a thousand. Each individual has a lot, drawn from
+// a stream of its own, and is in the sample of a run if its lot is below that run's share. A run
 // does not know how long it will become, so generation g records all that would be in the sample of a run that ended
 // with g; those in the sample of a longer run are among them.
 #pragma once

@@ -18,14 +18,14 @@ namespace planula {
 /// The experiment's judgement of a finished life: fitness, behaviour and penalty (Eqs. 4 and 6).
 using Judge = std::function<Evaluation(const Life &)>;
 
-/// How generation 0 is evolved before the run: by so many generations of novelty search on growth alone. The
+/// How generation 0 is evolved before the run: by some generations of novelty search on growth alone. The
 /// judge is shown lives that end with development; their fitness is not read.
 struct Start {
     int generations = 1;
     Judge judge;
 };
 
-/// A function of the judge by what it computes: equal hashes judge every life alike. A function's text without
+/// A function of the judge by what it computes: functions of equal hashes give equal results. A function's text without
 /// comments and layout decides, and whatever it reaches: values, tables, other functions.
 struct FunctionMeaning {
     std::string name;   // "fitness", "penalty", "behaviour", "start.behaviour"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Generation 0. The paper draws it at random (§2.7.2), where few genomes grow a body at all and most bodies
-// are alike. Its discussion proposes to evolve it for diverse morphologies first: here by novelty search on
+// are similar. Its discussion proposes to evolve it for diverse morphologies first: here by novelty search on
 // growth alone, which costs a small part of a whole simulation. The run begins with the genomes and innovations
 // of the last generation, as if they had been drawn: without ancestors, and with new species.
 #pragma once

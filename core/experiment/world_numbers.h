@@ -32,7 +32,7 @@ bool is_of_worlds(std::string_view parameter);
 /// Whether this setting takes a number of its world from the parameter.
 bool makes_world(std::string_view parameter, const Spec &spec);
 
-/// The number that the experiment states itself and the paper takes from this parameter; null if there is none.
+/// The number that the experiment states itself and the paper takes from this parameter, or null.
 const WorldNumber *stated_instead_of(std::string_view parameter, const Spec &spec);
 
 } // namespace planula

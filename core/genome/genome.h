@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The genome of NEAT (Stanley & Miikkulainen 2002) as MultiNEAT kept it in 2013: a list of nodes and a list of links,
-// each with its historical marking. §2.7; decisions 0005 and 0013. A genome knows neither cells nor bodies.
+// each with its historical marking. §2.7; decisions 0005 and 0013. A genome has no information about cells or bodies.
 //
 // Invariants (check_genome): nodes ascend by id: inputs 0 … inputs-1 (the bias is the last), then outputs, then hidden
 // nodes; links ascend by innovation, and no two join the same ordered pair; every end of a link is a node; no link

@@ -38,7 +38,7 @@ bool remove_link(const NeatParameters &parameters, Stream &stream, Genome &genom
 bool mutate(const NeatParameters &parameters, bool recurrent, Innovations &innovations, Stream &stream,
             Genome &genome);
 
-/// Whether the genome holds structure that leads nowhere: a hidden node without a way in (neither the bias nor a
+/// Whether the genome has dead ends: a hidden node without a way in (neither the bias nor a
 /// self-loop is one) or out, an output with exactly one link in and one out (self-loops aside), or no link at all.
 bool has_dead_ends(const Genome &genome);
 

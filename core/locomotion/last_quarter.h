@@ -4,8 +4,8 @@
 
 namespace planula {
 
-/// The step at which the last quarter begins, rounded down to a multiple of `interval`: signals are compared from knot to
-/// knot, places from one point of the path to the next.
+/// The step at which the last quarter begins, rounded down to a multiple of `interval`: signals are compared from knot
+/// to knot, places from one point of the path to the next.
 constexpr int last_quarter(int locomotion_steps, int interval) {
     return 3 * locomotion_steps / 4 / interval * interval;
 }

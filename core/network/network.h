@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The control network of one genome, constant, and how it moves the activations of many cells' copies of it (§2.1, 2.2;
 // rules N3 to N5). Every node but the inputs computes tanh of the weighted sum of its sources; there is no node bias. A
-// network knows neither what its inputs mean nor who owns its activations.
+// network depends neither on the meaning of its inputs nor on the owner of its activations.
 #pragma once
 
 #include "genome/genome.h"

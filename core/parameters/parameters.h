@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numbers of the model as one constant value, and the ledger that describes each of them. parameters.inl
-// is the only home of a number; this room does not know what the numbers are used for. Each section of the ledger is a
+// is the only place of a number; this room does not know what the numbers are used for. Each section of the ledger is a
 // struct, so that a model or a law holds the numbers that it reads and no others. Water, land and judgement are read by
 // experiments alone (by name, in Lua); the core is given environments and evaluations.
 #pragma once
@@ -49,10 +49,10 @@ struct ParameterRow {
 /// All rows in the order of parameters.inl.
 std::span<const ParameterRow> parameter_rows();
 
-/// The row of a parameter. Throws InputError, with the nearest name, if there is none.
+/// The row of a parameter. Throws InputError, with the nearest name, if no parameter has that name.
 const ParameterRow &parameter_row(std::string_view name);
 
-/// The value of a parameter by name. Throws InputError, with the nearest name, if there is none.
+/// The value of a parameter by name. Throws InputError, with the nearest name, if no parameter has that name.
 double parameter(const Parameters &parameters, std::string_view name);
 
 /// A value as people write it: the name of a choice, or the shortest number that reads back equal.

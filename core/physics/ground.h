@@ -16,8 +16,8 @@ namespace planula {
 Vec2d origin_for(const SoftBodyModel &model, const Environment &environment);
 
 /// The pieces of an environment's ground, counted from `origin`, from left to right: each begins where the one before
-/// ends, and may be upright. Without ground there are none; ground that is level everywhere is one piece. T: float or
-/// double.
+/// ends, and may be upright. Without ground there are no pieces; ground that is level everywhere is one piece. T: float
+/// or double.
 template <class T> std::vector<Piece<T>> lay_ground(const Environment &environment, Vec2d origin);
 
 } // namespace planula

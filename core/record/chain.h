@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The chain of a run: one link for each generation, a hash over the link before, over all that the generation is
-// (experiment/digest.h), and over the rows that it adds to each table. The first link is made of the run's identity, its
-// seed included. So the last link identifies the whole run, and a changed digit in a table breaks the chain at that
+// (experiment/digest.h), and over the rows that it adds to each table. The first link is made of the run's identity,
+// its seed included. So the last link identifies the whole run, and a changed digit in a table breaks the chain at that
 // generation. Only simulating again can show that a whole chain was forged.
 #pragma once
 
@@ -27,7 +27,7 @@ ChainRow chain_row(const std::string &before, const Generation &generation, cons
 /// last.
 std::vector<ChainRow> read_chain(const std::filesystem::path &folder);
 
-/// Reads the tables of a folder and compares them with its chain, which has so many generations. Throws InputError that
+/// Reads the tables of a folder and compares them with its chain. Throws InputError that
 /// names the first generation which differs.
 void check_chain(const std::filesystem::path &folder, const std::string &identity_sha256,
                  const std::vector<ChainRow> &chain);

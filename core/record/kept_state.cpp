@@ -78,7 +78,7 @@ std::string sealed(const KeptState &kept) { return seal(pack(encoded(kept))); }
 const JournalMark &KeptState::mark_of(std::string_view table) const {
     for (const auto &[name, mark] : tables)
         if (name == table) return mark;
-    throw InputError("it knows nothing of " + std::string(table));
+    throw InputError("it has no mark of " + std::string(table));
 }
 
 std::filesystem::path state_path(const std::filesystem::path &folder, int generation) {

@@ -3,12 +3,12 @@
 // resume with the same results: where it stands, and how long every table was.
 //
 // A run that is under way has `checkpoint`, and the one before it as `checkpoint.previous`. At every moment, whatever
-// happens to the process or the machine, one of them is whole; the tables that it speaks of were on disk before it. In
+// happens to the process or the machine, one of them is whole; the tables that it refers to were on disk before it. In
 // `states/` stay those before generations 25, 50 and every multiple of 100, for audits, and that before the run's last
 // generation, from which it can become longer.
 //
-// A file that was cut or changed is recognised by its seal and passed over; one with a right seal and invalid content is
-// refused.
+// A file that was cut or changed is recognised by its seal and passed over; one with a right seal and invalid content
+// is refused.
 #pragma once
 
 #include "storage/journal.h"
@@ -33,16 +33,16 @@ struct KeptState {
     std::string state;                                       // the RunState, saved
     std::string memory;                                      // the judge's, as it gave it
 
-    /// The mark of a table. Throws InputError if there is none.
+    /// The mark of a table. Throws InputError if the table has no mark.
     const JournalMark &mark_of(std::string_view table) const;
 };
 
-/// Whether the state before this generation stays in states/ for good, however long the run becomes.
+/// Whether the state before this generation stays in states/ permanently, however long the run becomes.
 constexpr bool is_kept_generation(int generation) {
     return generation == 25 || generation == 50 || (generation > 0 && generation % 100 == 0);
 }
 
-/// Whether a complete run of so many generations has the state before this one in states/.
+/// Whether a complete run of this many generations has the state before this one in states/.
 constexpr bool is_kept_at_end(int generation, int generations) {
     return is_kept_generation(generation) || generation == generations - 1;
 }

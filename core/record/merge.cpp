@@ -31,7 +31,7 @@ fs::path beside(const fs::path &folder, const char *ending) {
     return folder.parent_path() / (folder.filename().string() + ending);
 }
 
-/// A run as it lies in a folder: who it is, its chain, and how far it got.
+/// A run as a folder holds it: its identity, its chain, and its number of generations.
 struct Part {
     RunRecord record;
     int complete = 0; // generations whose results are complete

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a run resumes that was stopped, or that is to become longer: at its newest kept state (record/kept_state.h) that
-// can be read.
+// Where a run resumes that was stopped, or that is to become longer: at its newest kept state (record/kept_state.h)
+// that can be read.
 #pragma once
 
 #include "experiment/run.h"
@@ -28,8 +28,8 @@ struct ResumePoint {
     RunState load(const std::filesystem::path &folder, const Spec &spec) const;
 };
 
-/// The resume point of the run with this identity (Identity::sha256()), `complete` generations of which are published. A
-/// state within these belongs to the published tables, a later one to the journals. Throws InputError for a state of
+/// The resume point of the run with this identity (Identity::sha256()), `complete` generations of which are published.
+/// A state within these belongs to the published tables, a later one to the journals. Throws InputError for a state of
 /// another run, and if there were states and none can be read.
 ResumePoint find_resume_point(const std::filesystem::path &folder, const std::string &identity, int complete);
 

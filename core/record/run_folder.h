@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The directory of one run, <runs>/<setting>/seed-NNN/, as it lies on disk:
+// The directory of one run, <runs>/<setting>/seed-NNN/, as it is on disk:
 //
 //   identity.csv               what decides its genomes and lives, written before all else that it produces
 //   script/                    the script that began it, its modules, and what the command line set beside them
@@ -72,19 +72,19 @@ bool has_journals(const std::filesystem::path &folder);
 /// finish.
 void remove_journals(const std::filesystem::path &folder);
 
-/// The manifest of a run that has come to an end; nothing if there is none. Throws InputError if it is not what was
+/// The manifest of a run that has come to an end; nothing without a manifest. Throws InputError if it is not what was
 /// written, and IoError if it cannot be read.
 std::optional<Manifest> recorded_manifest(const std::filesystem::path &folder);
 
-/// Makes a folder for tables made of runs, and holds it for this process as long as the result lives. Throws RefusedError
-/// if another process holds it, or if it is the folder of a run, whose files must not be replaced.
+/// Makes a folder for tables made of runs, and holds it for this process as long as the result exists. Throws
+/// RefusedError if another process holds it, or if it is the folder of a run, whose files must not be replaced.
 FolderLock hold_for_tables(const std::filesystem::path &out);
 
 /// Whether a row of a run's manifest is the hash of a file: its key is a path.
 bool is_file(std::string_view key);
 
-/// The generations of the run in this folder whose results are complete: 0 without a manifest. Throws InputError if a file
-/// that the manifest names is not there.
+/// The generations of the run in this folder whose results are complete: 0 without a manifest. Throws InputError if a
+/// file that the manifest names is not there.
 int complete_generations(const std::filesystem::path &folder);
 
 /// The generations of the run that are done, complete or only kept by a checkpoint.

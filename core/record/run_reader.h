@@ -31,11 +31,12 @@ struct FoundRuns {
     std::vector<std::string> left_out; // "folder: reason"
 };
 
-/// The runs in <runs>/<setting>/ whose identity is that of the setting and that have at least so many generations;
-/// none if there is no such folder. Throws InputError for a damaged record, and IoError for one that cannot be read.
+/// The runs in <runs>/<setting>/ whose identity is that of the setting and that have at least the given number of
+/// generations; none if there is no such folder. Throws InputError for a damaged record, and IoError for one that
+/// cannot be read.
 FoundRuns find_runs(const std::filesystem::path &runs, const Spec &setting, int generations);
 
-/// The complete run in this folder. Throws InputError if there is none.
+/// The complete run in this folder. Throws InputError if the folder has no complete run.
 RecordedRun open_run(const std::filesystem::path &folder);
 /// The same, its files being what the manifest says.
 RecordedRun read_run(const std::filesystem::path &folder);
@@ -50,7 +51,8 @@ struct RunStatus {
     std::string trouble;      // why it cannot be told how far the run is; empty
 };
 
-/// Every folder at or below this one in which a run has begun, or that has the name and the manifest of a run, by name. Throws InputError if there is no such folder.
+/// Every folder at or below this one in which a run has begun, or that has the name and the manifest of a run, by name.
+/// Throws InputError if there is no such folder.
 std::vector<std::filesystem::path> folders_with_runs(const std::filesystem::path &folder);
 
 /// All runs below a folder, <folder>/<setting>/seed-NNN, by name. Throws InputError if there is no such folder.
@@ -59,7 +61,7 @@ std::vector<RunStatus> statuses(const std::filesystem::path &runs);
 /// Throws InputError naming the first file whose content is not what the manifest says.
 void check_files(const RecordedRun &run);
 
-/// The genome of the champion after so many generations. Throws InputError if the record has none.
+/// The genome of the champion after a number of generations. Throws InputError if the record has none.
 Genome read_champion_genome(const RecordedRun &run, int generations);
 
 /// The state before a generation of which states/ has a file. Throws InputError if that is damaged or of another run.

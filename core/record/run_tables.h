@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The tables of a run: what each generation adds to them, and the journals (storage/journal.h) in which they grow. They
-// stand here once, in the order in which the chain (record/chain.h) and the manifest have them. Every row has the number
-// of its generation in its first column.
+// are listed here once, in the order in which the chain (record/chain.h) and the manifest have them. Every row has the
+// number of its generation in its first column.
 //
 // A run recorded as a sample (experiment/sample.h) has fewer rows in individuals.csv.gz and differs in nothing else.
 #pragma once

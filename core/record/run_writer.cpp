@@ -18,8 +18,8 @@ namespace {
 
 bool has_archive(const Spec &spec) { return make_search(spec.search, spec.parameters)->keeps_archive(); }
 
-/// A damaged checkpoint must not become the one that is kept beside a new one. What lies in states/ stays: the manifest
-/// of a complete run names it.
+/// A damaged checkpoint must not become the one that is kept beside a new one. The files in states/ are kept: the
+/// manifest of a complete run names it.
 void remove_damaged_checkpoints(const std::filesystem::path &folder, const ResumePoint &point) {
     for (const std::filesystem::path &path : point.damaged)
         if (path.parent_path() == folder) remove_file(path);
@@ -84,7 +84,7 @@ void RunWriter::observe(const Generation &generation) {
     CHECK(generation.lives.size() == size && generation.evaluations.size() == size &&
           generation.scores.size() == size);
 
-    // A champion is the best of the first generation, and everyone fitter than all before.
+    // A champion is the best of the first generation, and every individual fitter than all before.
     const double fitness = generation.evaluations[generation.best].fitness;
     const bool has_new_champion = observed_ == 0 || fitness > best_fitness_;
     if (has_new_champion) best_fitness_ = fitness;

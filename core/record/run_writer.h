@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A run on its way to disk (record/run_folder.h). While it is under way its tables are journals (storage/journal.h), and
-// every few generations a checkpoint says where it stands (record/kept_state.h). A writer that finds such a run resumes
-// there (record/resume_point.h), one that finds a complete run which is too short makes it longer, and the results are
-// the same to the byte as those of one process that was never stopped. Nothing in them depends on the clock or the
-// machine but the manifest's row of the compiler. Memory does not grow with the generations.
+// Writes a run to disk (record/run_folder.h). While it is unfinished its tables are journals (storage/journal.h),
+// and every few generations a checkpoint says where it stands (record/kept_state.h). A writer that finds such a run
+// resumes there (record/resume_point.h), one that finds a complete run which is too short makes it longer, and the
+// results are the same to the byte as those of one process that was never stopped. Nothing in them depends on the clock
+// or the machine but the manifest's row of the compiler. Memory does not grow with the generations.
 #pragma once
 
 #include "experiment/run.h"
@@ -29,7 +29,7 @@ class RunWriter {
 
     /// Makes the folder, holds it for this process, and finds out where the run stands. `interval`: generations between
     /// two checkpoints. Throws CreateError, having changed nothing, if the folder holds another run or is in use, and
-    /// InputError, likewise, if what lies there is not as the run left it.
+    /// InputError, likewise, if the files there are not as the run left them.
     RunWriter(const std::filesystem::path &folder, const Spec &spec, std::uint64_t seed,
               const RunSources &sources, int interval = usual_interval);
     ~RunWriter();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Probabilities of counts, exact but for rounding: of how many runs have a property.
+// Probabilities of counts, exact up to rounding: of how many runs have a property.
 #pragma once
 
 namespace planula {

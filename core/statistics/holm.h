@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// p-values of many tests, corrected so that the probability of one or more false rejections among all of them is at most
-// the significance, however the tests depend on each other (Holm 1979).
+// p-values of many tests, corrected so that the probability of one or more false rejections among all of them is at
+// most the significance, however the tests depend on each other (Holm 1979).
 #pragma once
 
 #include <span>

@@ -51,7 +51,7 @@ std::vector<double> drawn_sums(std::vector<double> values, std::size_t m, const 
     return sums;
 }
 
-/// The share of the sums at least so far from the middle, but for rounding.
+/// The share of the sums at least so far from the middle, up to rounding.
 double share_beyond(std::span<const double> sums, double middle, double distance, double rounding) {
     const auto beyond = std::count_if(
         sums.begin(), sums.end(), [&](double sum) { return std::abs(sum - middle) >= distance - rounding; });

@@ -23,14 +23,14 @@ std::vector<std::size_t> doubled_ranks(const Ranks &pooled) {
     return doubled;
 }
 
-/// The number of ways to choose m of the ranks, by their sum: count[s] have sum s. All ways are equally likely if the two
-/// samples do not differ, whatever ties there are.
+/// The number of ways to choose m of the ranks, by their sum: count[s] have sum s. All ways are equally likely if the
+/// two samples do not differ, whatever ties there are.
 std::vector<double> count_sums(const std::vector<std::size_t> &ranks, std::size_t m) {
     const std::size_t largest =
         std::accumulate(ranks.end() - static_cast<std::ptrdiff_t>(m), ranks.end(), std::size_t{0});
     std::vector<std::vector<double>> ways(m + 1, std::vector<double>(largest + 1));
     ways[0][0] = 1;
-    // One rank after the other is chosen or not; the i chosen are none above it.
+    // One rank after the other is chosen or not; the i chosen are at most this one.
     for (const std::size_t rank : ranks)
         for (std::size_t i = m; i >= 1; --i)
             for (std::size_t sum = std::min(i * rank, largest); sum >= rank; --sum)

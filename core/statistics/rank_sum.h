@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The two-sided Wilcoxon rank-sum (Mann–Whitney) test of the paper's comparisons (§3.2, 3.3; decision 0015). Without
-// ties it is R's wilcox.test; with ties small samples are tested exactly as well, as by coin::wilcox_test(distribution =
-// "exact"): given the values, every way to share them out is equally likely. The samples are taken as independent.
+// ties it is R's wilcox.test; with ties small samples are tested exactly as well, as by coin::wilcox_test(distribution
+// = "exact"): given the values, every way to share them out is equally likely. The samples are taken as independent.
 #pragma once
 
 #include <cstddef>

@@ -20,8 +20,8 @@ const std::uint8_t *bytes_of(std::string_view text) {
 }
 std::uint8_t *bytes_of(std::string &text) { return reinterpret_cast<std::uint8_t *>(text.data()); }
 
-/// The quickest preset, told that the content is words of eight bytes, and with a choice among repetitions. Of 300 genomes
-/// of 149 links it makes 171 kB in 50 ms; without the choice, 176 kB in 40 ms (paper/decisions/0019-runs.md).
+/// The quickest preset, told that the content is words of eight bytes, and with a choice among repetitions. Of 300
+/// genomes of 149 links it makes 171 kB in 50 ms; without the choice, 176 kB in 40 ms (paper/decisions/0019-runs.md).
 lzma_options_lzma options() {
     constexpr std::uint32_t quickest = 0, word_bits = 3;
     lzma_options_lzma options;

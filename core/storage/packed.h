@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bytes in a compressed form (xz, as liblzma writes it) whose size bounds what reading them may allocate: at most 16
-// times as much, and some megabytes of the decoder. Content that would shrink further is stored as it is. It is meant for
-// words of eight bytes (base/state.h), most of them weights of links.
+// times as much, and some megabytes of the decoder. Content that would shrink further is stored as it is. It is meant
+// for words of eight bytes (base/state.h), most of them weights of links.
 #pragma once
 
 #include <string>

@@ -22,10 +22,10 @@ void write_all(int file, std::string_view bytes, const std::filesystem::path &pa
 /// Waits until the content of an open file is on disk. Throws IoError that names `path`.
 void sync_file(int file, const std::filesystem::path &path);
 
-/// What lies in a folder, by name. Throws IoError that names the folder.
+/// The entries of a folder, by name. Throws IoError that names the folder.
 std::vector<std::filesystem::path> entries_of(const std::filesystem::path &folder);
 
-/// Everything below a folder, each folder before what lies in it. Throws IoError that names the folder.
+/// Everything below a folder, each folder before its entries. Throws IoError that names the folder.
 std::vector<std::filesystem::path> all_below(const std::filesystem::path &folder);
 
 /// Waits until the entries of a folder are on disk. Throws IoError.

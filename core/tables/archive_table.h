@@ -18,7 +18,7 @@ std::string archive_header(std::size_t length = 2);
 /// The line of an entry.
 std::string archive_line(const ArchiveEntry &entry);
 
-/// The first entries of a folder's archive, at most so many.
+/// The first entries of a folder's archive, at most the given number.
 std::vector<ArchiveEntry> read_archive(const std::filesystem::path &folder, std::size_t most = SIZE_MAX);
 /// The same, of its journal.
 std::vector<ArchiveEntry> read_archive_journal(const std::filesystem::path &folder, std::size_t most);

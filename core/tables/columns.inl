@@ -6,8 +6,8 @@
 //   COLUMN(type, name, unit, meaning)
 //   END_TABLE
 //
-// What a table holds of a life is described in evaluation/life.inl: LIFE_COLUMN(type, name) is the column of the field of
-// that name, LIFE_POINT(name) are the columns name_x and name_y of a point.
+// What a table holds of a life is described in evaluation/life.inl: LIFE_COLUMN(type, name) is the column of the field
+// of that name, LIFE_POINT(name) are the columns name_x and name_y of a point.
 //
 // Types: int, std::int64_t, double, std::string; Maybe (a double) and MaybeId (an std::int64_t) may be empty.
 // Units: cell = one cell diameter; step = one physics step; generation = a number from 0; an empty unit means

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tables as RFC 4180 text: a header, one line per row, a line feed after each. Numbers are the shortest text
 // that reads back to the same bits, whatever the locale. A number that is not finite is never written: it is
-// an InternalError. Texts with a line break or NUL are refused, as the tables must open in
-// R, pandas and gnuplot alike.
+// an InternalError. Texts with a line break or NUL are refused, as R, pandas and gnuplot must
+// read the tables.
 //
 // TableWriter and TableReader know a table by its row type (tables/columns.h); CsvReader and to_field()
 // beneath them know only fields, for the one table whose columns depend on the experiment
@@ -45,7 +45,7 @@ template <class Row> std::string header_line() {
     return to_line(std::vector<std::string>(names.begin(), names.end()));
 }
 
-/// A table on its way to a folder, under its own name; it is there after commit(), which returns its SHA-256.
+/// Writes a table to a folder, under its own name; it is there after commit(), which returns its SHA-256.
 template <class Row> class TableWriter {
   public:
     explicit TableWriter(const std::filesystem::path &folder) : output_(folder / Row::file_name) {

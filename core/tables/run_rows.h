@@ -15,7 +15,7 @@ GenerationRow generation_row(const Generation &generation, const Parameters &par
 std::vector<SizeRow> size_rows(const Generation &generation);
 /// How many individuals there are in each hundredth of the generation's highest fitness, by ascending class.
 std::vector<FitnessClassRow> fitness_class_rows(const Generation &generation);
-/// The species of every slot; -1 where there is none.
+/// The species of every slot; -1 without a species.
 std::vector<int> species_of_slots(const Population &population);
 IndividualRow individual_row(const Generation &generation, int slot, int species);
 SpeciesRow species_row(const Generation &generation, const Species &species);

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Ground that is not flat, stated by points {x, y} from left to right; beyond the first and the last it is level. Bodies
--- start around x = 0. Novelty search leads animats up these stairs, since it rewards places where no animat ended before.
+-- Ground that is not flat, stated by points {x, y} from left to right; beyond the first and the last it is level.
+-- Bodies start around x = 0. Novelty search leads animats up these stairs, since it rewards places where no animat
+-- ended before.
 local paper = require "paper"
 
 return paper.experiment {

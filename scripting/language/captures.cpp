@@ -13,8 +13,8 @@ namespace planula {
 
 namespace {
 
-// A hash of the value at the top, which it pops. No other value can have the same address: the list keeps all values alive
-// that had one at first.
+// A hash of the value at the top, which it pops. No other value can have the same address: the list keeps all values
+// alive that had one at first.
 std::uint64_t take(lua_State *L) {
     const int type = lua_type(L, -1);
     std::uint64_t bits = 0;
@@ -30,8 +30,8 @@ std::uint64_t take(lua_State *L) {
     return mix(bits + mix(static_cast<std::uint64_t>(type)));
 }
 
-// Of the entries of the table at the top, in any order, and its length, which does not follow from the entries if it has
-// holes.
+// Of the entries of the table at the top, in any order, and its length, which does not follow from the entries if it
+// has holes.
 std::uint64_t digest_of_table(lua_State *L) {
     std::uint64_t sum = mix(lua_objlen(L, -1));
     for (lua_pushnil(L); lua_next(L, -2);) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks that functions of a Lua state do not change what they close over. All values that the functions reach are listed
-// once; to check them is then a walk along that list, which calls no function of the script and takes no memory.
+// Checks that functions of a Lua state do not change what they close over. All values that the functions reach are
+// listed once; to check them is then a walk along that list, which calls no function of the script and takes no memory.
 #pragma once
 
 #include "language/lua_state.h"
@@ -19,9 +19,9 @@ class Captures {
     /// Throws InputError if the list takes more memory than is allowed. The state must outlive this.
     Captures(LuaState &lua, std::span<const int> functions);
 
-    /// The index in `functions` of the first one that reaches a changed value; their number if only modules do; nothing if
-    /// every upvalue and every entry of a table is as it was at first. A table that was replaced by an equal one counts as
-    /// changed.
+    /// The index in `functions` of the first one that reaches a changed value; their number if only modules do; nothing
+    /// if every upvalue and every entry of a table is as it was at first. A table that was replaced by an equal one
+    /// counts as changed.
     std::optional<std::size_t> changed();
     /// How many values changed() looks at.
     int values() const { return values_; }

@@ -141,8 +141,8 @@ void keep_site(lua_State *L) {
         lua_setfield(L, LUA_REGISTRYINDEX, sites);
     }
 
-    // Only a table that the main source itself made has a line there; one that a module made has that of the statement it
-    // belongs to.
+    // Only a table that the main source itself made has a line there; one that a module made has that of the statement
+    // it belongs to.
     const Source &main = *host_of(L).main;
     lua_Debug frame{};
     bool found = false;

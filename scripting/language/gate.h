@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where errors cross between C++ and Lua. An exception must not pass through a frame of Lua, so every function of C++
-// that Lua calls is given to Lua as gate<function>, which turns an exception into a Lua error; no other code of this room
-// catches exceptions. In the other direction a script runs in protected mode, and LuaState::take_message() alone turns its
-// error into a text, which the caller throws as InputError or counts.
+// that Lua calls is given to Lua as gate<function>, which turns an exception into a Lua error; no other code of this
+// room catches exceptions. In the other direction a script runs in protected mode, and LuaState::take_message() alone
+// turns its error into a text, which the caller throws as InputError or counts.
 //
 // A function behind the gate throws InputError where it can. A Lua error may jump over destructors: no object that owns
 // memory may exist while one is raised.

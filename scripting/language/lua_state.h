@@ -4,10 +4,11 @@
 //
 // The just-in-time compiler is off: compiled code is not counted, and rounds differently on some machines. Scripts see
 // math (the core's functions), string without patterns, table, ipairs, pairs in ascending order of keys, tostring,
-// tonumber, type, select, unpack, error, assert, pcall, require and planula; nothing that reads a clock, a file, an address
-// or a random number. Library tables and globals are read-only.
+// tonumber, type, select, unpack, error, assert, pcall, require and planula; nothing that reads a clock, a file, an
+// address or a random number. Library tables and globals are read-only.
 //
-// Modules are loaded while the script runs; those that a function requires by name are loaded right after it. From then on
+// Modules are loaded while the script runs; those that a function requires by name are loaded right after it. From then
+// on
 // `require` only returns loaded modules, so that calling a function cannot load anything.
 #pragma once
 
@@ -27,8 +28,8 @@
 
 namespace planula {
 
-/// How much a script may use. A call that exceeds `instructions` or `allocated` does so on every machine; `seconds` only
-/// catches what these two do not count.
+/// How much a script may use. A call that exceeds `instructions` or `allocated` does so on every machine; `seconds`
+/// only catches what these two do not count.
 struct Limits {
     std::size_t memory = 64u << 20;         // bytes held at once
     std::size_t allocated = 512u << 20;     // bytes asked for during one call
@@ -55,7 +56,7 @@ struct Host {
         0; // of calls from the script through C back into the script, which use the stack of the process
     std::vector<const Source *> loaded; // by this state: the script, then its modules
     bool closed = false;                // no further module may be loaded
-    std::string thrown;                 // the message of an exception on its way into Lua (language/gate.h)
+    std::string thrown;                 // the message of an exception that is passed to Lua (language/gate.h)
 
     /// Starts counting for a call.
     void begin_call(const Limits &allowed);
@@ -64,8 +65,8 @@ struct Host {
     void exhaust(Exhausted what);
     /// After the deadline: ends the call, or moves the deadline if the processor did other work in the meantime.
     void check_seconds();
-    /// Counts a function of C that calls back into the script, one level deeper. Raises a Lua error if there are too many
-    /// levels; whoever catches an error restores the depth.
+    /// Counts a function of C that calls back into the script, one level deeper. Raises a Lua error if there are too
+    /// many levels; code that catches an error restores the depth.
     void go_deeper(lua_State *L);
     std::string message() const;
     /// The length of the "name:line: " that a message begins with; 0 if it names no source of this state.

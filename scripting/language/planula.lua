@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- The functions of `planula` that every experiment file may use, loaded before it. `planula.parameters` (the standard
--- value of each parameter) and `planula.locate` (keeps which line of the script made a table, for error messages) come from
--- C++. Nothing here is about the paper: that is experiments/paper/.
+-- value of each parameter) and `planula.locate` (keeps which line of the script made a table, for error messages) come
+-- from C++. Nothing here is about the paper: that is experiments/paper/.
 
 local function is_list(value)
   return #value > 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files of a script: itself and the modules that it requires. Each is read once and kept, so that every Lua state of a
-// command runs the same text even if a file changes during a long run. States of several threads may share them.
+// The files of a script: itself and the modules that it requires. Each is read once and kept, so that every Lua state
+// of a command runs the same text even if a file changes during a long run. States of several threads may share them.
 //
 // Where `require "paper.judgement"` looks, first found wins: paper/judgement.lua, then
 // init.lua in paper/judgement, in the script's own folder, in each folder above it, and at last in the library
@@ -37,15 +37,15 @@ class Sources {
     Sources(std::string name, std::string text, std::filesystem::path library);
 
     const Source &script() const;
-    /// Reads the module when it is first asked for. Throws InputError: an unsafe name, not found (with the folders tried), or
-    /// any error of the constructor.
+    /// Reads the module when it is first asked for. Throws InputError: an unsafe name, not found (with the folders
+    /// tried), or any error of the constructor.
     const Source &module(std::string_view name);
-    /// The source of this message name; null if there is none.
+    /// The source of this message name; or null.
     const Source *named(std::string_view name) const;
     /// Not while another thread runs a script.
     const std::deque<Source> &all() const { return sources_; }
-    /// The sources read so far, in their order, with each function on a line of its own, and named by their number from 0: a
-    /// line number tells which function it is.
+    /// The sources read so far, in their order, with each function on a line of its own, and named by their number from
+    /// 0: a line number tells which function it is.
     std::shared_ptr<Sources> with_functions_on_lines() const;
 
   private:

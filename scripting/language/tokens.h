@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script runs, and to
-// find the line that states a key of a table constructor, the text of a function, and the modules that it requires. LuaJIT
-// alone parses Lua.
+// The words of a Lua source, each with its line: enough to refuse what depends on the machine before a script runs, and
+// to find the line that states a key of a table constructor, the text of a function, and the modules that it requires.
+// LuaJIT alone parses Lua.
 #pragma once
 
 #include <span>
@@ -37,7 +37,7 @@ std::vector<Requirement> requirements_of(std::span<const Token> tokens);
 /// The source with a line feed before each word `function`, so that no two functions begin on one line.
 std::string functions_on_lines(std::string_view source, std::span<const Token> tokens);
 
-/// The place of the last word `function` on or before `line`; the number of tokens if there is none.
+/// The place of the last word `function` on or before `line`; the number of tokens without such a word.
 std::size_t function_before(std::span<const Token> tokens, int line);
 /// What the function at that place computes: its parameters and its body, without its name. A separator before
 /// a closing brace is left out.
@@ -53,7 +53,7 @@ struct Step {
 /// the deepest entry that is found, or `line` itself, where the path does not lead to the end.
 int line_of_entry(std::span<const Token> tokens, int line, std::span<const Step> path);
 
-/// The line of the last `return` outside all blocks; 1 if there is none.
+/// The line of the last `return` outside all blocks; 1 without such a line.
 int line_of_return(std::span<const Token> tokens);
 
 } // namespace planula

@@ -27,7 +27,7 @@ struct Value {
     Site site;                 // of a table that was given to planula.locate()
 
     bool is(Kind k) const { return kind == k; }
-    /// The field of that name; null if there is none.
+    /// The field of that name, or null.
     const Value *find(std::string_view name) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The globals: the functions of Lua's base library that read no address, no file, and no order that changes from process to
-// process.
+// The globals: the functions of Lua's base library that read no address, no file, and no order that changes from
+// process to process.
 #include "base/error.h"
 #include "language/wrap.h"
 
@@ -120,8 +120,8 @@ int text_of(lua_State *L) {
     return 1;
 }
 
-// Removes from the message at the top what depends on the folder of the script and on the machine: the names and lines in
-// front, and the folders that `require` lists after its first line.
+// Removes from the message at the top what depends on the folder of the script and on the machine: the names and lines
+// in front, and the folders that `require` lists after its first line.
 void strip_places(lua_State *L) {
     if (lua_type(L, -1) != LUA_TSTRING) return;
     std::size_t size = 0;

@@ -41,8 +41,8 @@ template <bool largest> int extreme(lua_State *L) {
 }
 
 int no_random(lua_State *L) {
-    return luaL_error(L,
-                      "random numbers are not allowed in scripts: the same life must always be judged alike");
+    return luaL_error(
+        L, "random numbers are not allowed in scripts: the same life must always have the same result");
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// string: without patterns, which may take any time, and without functions that show addresses or bytecode. LuaJIT formats
-// numbers and changes case itself, without locale.
+// string: without patterns, which may take any time, and without functions that show addresses or bytecode. LuaJIT
+// formats numbers and changes case itself, without locale.
 #include "language/wrap.h"
 
 namespace planula {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The command line as a table: a command states its options, and parsing, --help, error messages and the completion of a
-// shell follow from that. Options are written --name value or --name=value; "--" ends them.
+// The command line as a table: a command states its options, and parsing, --help, error messages and the completion of
+// a shell follow from that. Options are written --name value or --name=value; "--" ends them.
 //
-// A library would not make this shorter: CLI11 2.1 (Debian 12) suggests no names and completes nothing, reports a misspelt
-// command as a missing one, splits `--set [a,b]`, takes the script for a second value of a `--set` before it, and does not
-// wrap its help.
+// A library would not make this shorter: CLI11 2.1 (Debian 12) suggests no names and completes nothing, reports a
+// misspelt command as a missing one, splits `--set [a,b]`, takes the script for a second value of a `--set` before it,
+// and does not wrap its help.
 #pragma once
 
 #include <filesystem>

@@ -60,7 +60,7 @@ class VerifyCommand {
         return *share / 100;
     }
 
-    // Whoever altered a run cannot know what will be drawn.
+    // The draw must not be predictable: a run must not be altered only where it will not be simulated.
     static std::uint64_t draw_of(const Arguments &arguments) {
         if (arguments.has("draw")) return static_cast<std::uint64_t>(arguments.whole("draw", 0, 0));
         const auto now = std::chrono::system_clock::now().time_since_epoch();

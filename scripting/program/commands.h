@@ -56,8 +56,8 @@ inline constexpr Option chosen_seeds_option{
 
 /// What --set, --generations and --population ask for. Throws UsageError with rule, value and nearest name.
 Overrides overrides_of(const Arguments &arguments);
-/// Loads the experiment file that is the operand; `changes` come after those of the command line. Throws UsageError if one
-/// of the command line changes nothing in any setting.
+/// Loads the experiment file that is the operand; `changes` come after those of the command line. Throws UsageError if
+/// one of the command line changes nothing in any setting.
 Experiment experiment_of(const Arguments &arguments, const Console &console, const Overrides &changes = {});
 /// --seeds A:B or N; without it 1 … the parameter `seeds`. Throws UsageError.
 std::vector<std::uint64_t> seeds_of(const Arguments &arguments, const Experiment &experiment);
@@ -66,8 +66,8 @@ struct PlannedRun {
     std::size_t setting; // its index in the experiment
     std::uint64_t seed;
 };
-/// The runs that --seeds, --only and --part ask for: seed by seed, so that a command that is stopped has run all settings
-/// equally far. Throws UsageError.
+/// The runs that --seeds, --only and --part ask for: seed by seed, so that a command that is stopped has run all
+/// settings equally far. Throws UsageError.
 std::vector<PlannedRun> runs_of(const Arguments &arguments, const Experiment &experiment);
 /// --levels, ascending; nothing without the option. Throws UsageError.
 std::vector<int> levels_of(const Arguments &arguments);

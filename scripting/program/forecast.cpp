@@ -94,7 +94,7 @@ double recorded_individuals(const Spec &setting) {
     return individuals;
 }
 
-/// Saved states of a complete run: those kept for good, and the one before the last generation.
+/// Saved states of a complete run: those kept permanently, and the one before the last generation.
 int kept_states(int generations) {
     int states = 1;
     for (int generation = 1; generation < generations - 1; ++generation)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a design takes, before it is run: measures a few generations of each setting and derives the time, disk space and
-// memory of all runs. Writes nothing.
+// What a design takes, before it is run: measures a few generations of each setting and derives the time, disk space
+// and memory of all runs. Writes nothing.
 #pragma once
 
 #include "program/arguments.h"

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Opens the standard descriptors that whoever started the program has closed: no file of a run may get their numbers.
+/// Opens the standard descriptors that were closed when the program started: no file of a run may get their numbers.
 void open_standard_descriptors() {
     for (int file = 0; file <= 2; ++file)
         if (::fcntl(file, F_GETFD) == -1 && errno == EBADF && ::open("/dev/null", O_RDWR) != file)

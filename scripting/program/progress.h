@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The progress of a command, for the user: on a terminal one line that is rewritten, else a line about every ten
-// seconds. Several runs, each on its own thread, may report to it. It shows how many runs have reached the present level, a
-// number of generations, and how long this level and all levels will take at the present rate. It reads the clock, and no
-// result depends on it.
+// seconds. Several runs, each on its own thread, may report to it. It shows how many runs have reached the present
+// level, a number of generations, and how long this level and all levels will take at the present rate. It reads the
+// clock, and no result depends on it.
 #pragma once
 
 #include <chrono>

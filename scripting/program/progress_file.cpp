@@ -72,7 +72,7 @@ void ProgressFile::write(const Standing &standing) noexcept {
         make_folder(folder_);
         write_file(path_, header_line<ProgressRow>() + line_of(row));
     } catch (const std::exception &) {
-        // planula status then knows nothing of this process.
+        // planula status then does not show this process.
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The progress of a process, for other processes: <out>/progress/<host>-<process>.csv, one row, rewritten every few
-// seconds and removed at the end. `planula status` reads it. It is not a result, and failing to write it is not an error.
+// seconds and removed at the end. `planula status` reads it. It is not a result, and failing to write it is not an
+// error.
 #pragma once
 
 #include "program/progress.h"

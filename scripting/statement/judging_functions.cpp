@@ -26,8 +26,8 @@ constexpr std::size_t longest_behaviour = 16;
 constexpr double largest = 1e100; // fitness and behaviour beyond this would overflow sums and squares
 // A life is judged twice if the number of the call is a power of two or a multiple of this one.
 constexpr std::int64_t calls_between_samples = 1024;
-// Up to this many values that the functions close over are checked after every call, more values less often, but at least
-// once in most_calls_unchecked calls. To check a value takes 20 ns, to simulate a life milliseconds.
+// Up to this many values that the functions close over are checked after every call, more values less often, but at
+// least once in most_calls_unchecked calls. To check a value takes 20 ns, to simulate a life milliseconds.
 constexpr int values_for_each_call = 64;
 constexpr int most_calls_unchecked = 256;
 constexpr const char *independence_rule = ": how a life is judged must not depend on other lives";
@@ -43,7 +43,7 @@ bool is_sample(std::int64_t call) {
 // The result of the functions for one life.
 struct JudgingFunctions::Verdict {
     Evaluation evaluation;
-    std::string problem;     // of the functions; empty if there is none
+    std::string problem;     // of the functions; empty without a problem
     bool wrong_kind = false; // the problem is an error or a value of another kind
     Exhausted exhausted = Exhausted::no;
 };

@@ -5,16 +5,16 @@
 //   fitness(life, parameters, penalty)  f of Eq. (4), 0 … 1e100
 //   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100
 //
-// The behaviour function of a setting's `start` is called, with the setting's penalty, for individuals that have grown but
-// not moved. Reading what is known only after movement (statement/wrap_life.h) is an error then.
+// The behaviour function of a setting's `start` is called, with the setting's penalty, for individuals that have grown
+// but not moved. Reading what is known only after movement (statement/wrap_life.h) is an error then.
 //
 // `parameters` are those that decide lives (experiment/deciding.h): neither the length of a run nor a parameter of
 // statistics changes how a life is judged.
 //
-// If a function raises an error or returns something else, the individual is invalid; it is counted, and the run goes on.
-// Functions must not keep anything from one call to the next. What they close over must not change: this is checked after
-// every call, or less often if they close over much. A sample of lives is judged a second time in a fresh Lua state, with
-// the same result.
+// If a function raises an error or returns something else, the individual is invalid; it is counted, and the run goes
+// on. Functions must not keep anything from one call to the next. What they close over must not change: this is checked
+// after every call, or less often if they close over much. A sample of lives is judged a second time in a fresh Lua
+// state, with the same result.
 #pragma once
 
 #include "evaluation/life.h"
@@ -38,8 +38,8 @@ class JudgingFunctions {
                      Stage stage = Stage::life);
     ~JudgingFunctions();
 
-    /// Judges one example of each outcome. Throws InputError if a function raises an error, returns a value of another kind,
-    /// or judges the same life differently the second time.
+    /// Judges one example of each outcome. Throws InputError if a function raises an error, returns a value of another
+    /// kind, or judges the same life differently the second time.
     void try_out();
 
     /// Begins a run: fresh functions, nothing counted.

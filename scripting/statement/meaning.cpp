@@ -55,8 +55,8 @@ struct Text {
     std::vector<Requirement> requirements;
 };
 
-// The walk through all that one function reaches, breadth first. Its members own the memory, as a Lua error may leave any
-// of its methods.
+// The walk through all that one function reaches, breadth first. Its members own the memory, as a Lua error may leave
+// any of its methods.
 class Walk {
   public:
     Walk(const Sources &sources, const Sources &by_line, LuaState &lua, int function)
@@ -117,7 +117,7 @@ class Walk {
         lua_pop(L, 1);
     }
 
-    // All NaNs are hashed alike: their bits depend on the processor.
+    // All NaNs have one hash: their bits depend on the processor.
     void number(double value) {
         hash_.number(std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value);
     }

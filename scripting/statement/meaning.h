@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The meaning of the judging functions of a setting, as a hash of each. The hash covers the words of the function without
-// comments, layout and name, and everything that it closes over, by the name of the upvalue: numbers by their bits, texts,
-// tables by their content in ascending order of keys, other functions in the same way, and functions of the library by
-// their name. It covers the modules that a function requires; if the function computes their names, all modules that are
-// loaded. Tables and functions are numbered as they are met, so that a cycle ends and sharing counts.
+// The meaning of the judging functions of a setting, as a hash of each. The hash covers the words of the function
+// without comments, layout and name, and everything that it closes over, by the name of the upvalue: numbers by their
+// bits, texts, tables by their content in ascending order of keys, other functions in the same way, and functions of
+// the library by their name. It covers the modules that a function requires; if the function computes their names, all
+// modules that are loaded. Tables and functions are numbered as they are met, so that a cycle ends and sharing counts.
 //
 // File names, lines, comments and the rest of the script do not count. The names of local variables do.
 //
-// A line may have several functions. To tell them apart, the script runs once more with each function on a line of its own.
+// A line may have several functions. To tell them apart, the script runs once more with each function on a line of its
+// own.
 #pragma once
 
 #include "experiment/spec.h"
@@ -35,8 +36,8 @@ class Meanings {
     /// than 200000 values or 64 MB of text, or over a value that has no order or content.
     std::vector<FunctionMeaning> of_setting(std::size_t index);
 
-    /// Whether the functions of this setting may read a parameter: its name is among their words, or in a text that they
-    /// reach. Throws as of_setting() does.
+    /// Whether the functions of this setting may read a parameter: its name is among their words, or in a text that
+    /// they reach. Throws as of_setting() does.
     bool mentions(std::size_t index, std::string_view parameter);
 
   private:

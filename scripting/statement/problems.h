@@ -35,7 +35,7 @@ class Problems {
     /// A message that has its place already.
     void add(const std::string &message);
     std::size_t count() const { return messages_.size(); }
-    /// Throws InputError with all messages, a line each; does nothing if there is none.
+    /// Throws InputError with all messages, a line each; does nothing without messages.
     void raise() const;
 
   private:

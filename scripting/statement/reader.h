@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads one table of a script's result: the keys that it may have, and the kinds of their values. Errors go to Problems; a
-// reader never throws.
+// Reads one table of a script's result: the keys that it may have, and the kinds of their values. Errors go to
+// Problems; a reader never throws.
 #pragma once
 
 #include "parameters/parameters.h"

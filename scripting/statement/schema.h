@@ -49,8 +49,8 @@ struct Experiment {
     const Spec *find(std::string_view setting) const;
 };
 
-/// Loads and checks an experiment file, and tries out its functions. Throws InputError with all errors, each on a line that
-/// starts with its place, name:line.
+/// Loads and checks an experiment file, and tries out its functions. Throws InputError with all errors, each on a line
+/// that starts with its place, name:line.
 Experiment load_experiment(const std::filesystem::path &script, const std::filesystem::path &library,
                            const Overrides &overrides = {});
 Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides = {});
@@ -65,8 +65,8 @@ SettingForRun setting_for_run(const Experiment &experiment, std::size_t index);
 /// What a run's folder keeps of the experiment: the script, every module that it requires, and the overrides.
 RunSources sources_of(const Experiment &experiment);
 
-/// The setting of a run as its folder states it, with judging functions of its own. Throws InputError if that is not the
-/// run of the folder's identity.csv: if the model is another, for instance.
+/// The setting of a run as its folder states it, with judging functions of its own. Throws InputError if that is not
+/// the run of the folder's identity.csv: if the model is another, for instance.
 SettingForRun recorded_setting(const RecordedRun &run);
 
 } // namespace planula

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What planula sensitivity varies in an experiment: sensitivity = {sample, factors, parameters}, all of them optional. The
-// meaning of its results: analysis/sensitivity.h.
+// What planula sensitivity varies in an experiment: sensitivity = {sample, factors, parameters}, all of them optional.
+// The meaning of its results: analysis/sensitivity.h.
 #pragma once
 
 #include "statement/reader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// life: what judging functions see of a finished life, read-only: the fields of evaluation/life.inl that are not hidden,
-// and `displacement`. A point is {x, y}; `path` is a list of points. Any other name is an error with the nearest one. So
-// is, for a life that ended with development, a field that is known only after locomotion.
+// life: what judging functions see of a finished life, read-only: the fields of evaluation/life.inl that are not
+// hidden, and `displacement`. A point is {x, y}; `path` is a list of points. Any other name is an error with the
+// nearest one. So is, for a life that ended with development, a field that is known only after locomotion.
 #pragma once
 
 #include "evaluation/life.h"
@@ -19,7 +19,7 @@ struct LifeSlot {
 /// Registers the type of `life` in a state.
 void wrap_life(lua_State *L);
 
-/// Pushes a `life` that shows nothing yet; its slot lives as long as the value does. May raise.
+/// Pushes a `life` that shows nothing yet; its slot exists as long as the value does. May raise.
 LifeSlot &push_life(lua_State *L);
 
 } // namespace planula

@@ -89,7 +89,7 @@ inline Genome hundred_genome(Actuation actuation) {
     return genome;
 }
 
-/// End points of so many individuals, dense at the start as those of populations are.
+/// End points of `count` individuals, dense at the start as those of populations are.
 inline PointIndex end_points(int count, std::uint64_t seed) {
     PointIndex index;
     Stream stream(seed, 0, 0, Purpose::initial_weights);

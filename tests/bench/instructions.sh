@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Counts the instructions of fixed pieces of work with valgrind's callgrind and compares them with those kept in
-# instructions.csv: where a clock is noisy, a count is not. A piece that needs more than TOLERANCE percent more than was
-# kept fails; one that needs so much less is told of, so that the gain is kept too.
+# instructions.csv; counts, unlike times, are not noisy. A piece that needs more than TOLERANCE percent more than before
+# fails; one that needs that much less is reported, so that the new count can be kept.
 #
 #   instructions.sh PROGRAM [PIECE…]   compares all pieces, or these; PROGRAM is the built `work`
 #   instructions.sh PROGRAM --keep     keeps the counts of this compiler

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fixed pieces of work whose instructions are counted (tests/bench/instructions.sh): a guard against regressions where a
-// clock is too noisy.
+// Fixed pieces of work whose instructions are counted (tests/bench/instructions.sh): a guard against regressions where
+// a clock is too noisy.
 //
 //   work              lists the pieces
 //   work PIECE        does one

@@ -37,7 +37,7 @@ std::array<double, 6> ranges(const Maze &maze, const Robot &robot) {
         const double area = cross(from, to);
 
         // A line through the robot meets the wall if its ends lie on different sides, at this distance along it.
-        // Without branches, since nobody can foretell them.
+        // Without branches, since they cannot be predicted.
         const auto meet = [&](double side1, double side2, double scale, double &onward, double &backward) {
             const double distance = scale * area / (side2 - side1);
             const double met = side1 * side2 <= 0 && side1 != side2 ? distance : range_limit;

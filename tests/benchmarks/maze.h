@@ -2,7 +2,7 @@
 // The deceptive mazes of Lehman & Stanley (2011), "Abandoning objectives": a robot with six range finders and a
 // compass of four quarters has 400 steps to come within 5 units of the goal. Fitness is 300 minus the distance of
 // its end point from the goal; its behaviour is that end point. In the hard maze the straight way to the goal is a
-// dead end, so that whoever comes nearer is led astray.
+// dead end, so that fitness rewards entering it.
 //
 // Lengths are the maze's units, angles degrees. Walls, starts and goals are those of the files medium_maze.txt and
 // hard_maze.txt that the first author published with his program; so are the robot's radius, range and limits.

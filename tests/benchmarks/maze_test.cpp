@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(a_journey_ends_at_the_goal_or_after_four_hundred_steps) {
     BOOST_TEST(steps == 400);
 }
 
-BOOST_AUTO_TEST_CASE(who_knows_the_way_gets_through_both_mazes_in_time) {
+BOOST_AUTO_TEST_CASE(a_robot_that_follows_a_known_way_reaches_both_goals_in_time) {
     // clang-format off
     const std::vector<Vec2d> through_hard{
         {70, 172}, {105, 148}, {140, 170}, {172, 172}, {170, 150}, {120, 124},
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(who_knows_the_way_gets_through_both_mazes_in_time) {
     BOOST_TEST(medium.arrived);
 }
 
-BOOST_AUTO_TEST_CASE(who_follows_the_compass_is_led_astray) {
+BOOST_AUTO_TEST_CASE(a_robot_that_follows_the_compass_ends_in_a_dead_end) {
     for (const Maze *maze : {&hard_maze(), &medium_maze()}) {
         const Journey journey = travel(*maze, compass_follower());
         BOOST_TEST(!journey.arrived);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_genome_is_judged_by_where_its_robot_ends) {
     BOOST_TEST(!attempt.solved);
 }
 
-BOOST_AUTO_TEST_CASE(novelty_leaves_a_trap_long_before_fitness_does) {
+BOOST_AUTO_TEST_CASE(novelty_search_leaves_a_local_optimum_long_before_fitness_search) {
     // The pocket below the goal opens away from it: the way out leads back.
     Maze trap = room(160, {60, 80}, {140, 80});
     trap.walls.push_back({{120, 30}, {120, 160}});

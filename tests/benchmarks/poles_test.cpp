@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(linear_feedback_of_the_whole_state_balances_for_good) {
     BOOST_TEST(two.unrest < 1e-6);
 }
 
-BOOST_AUTO_TEST_CASE(without_velocities_one_must_remember) {
+BOOST_AUTO_TEST_CASE(controllers_without_velocities_need_memory) {
     const auto forgetful = [](std::span<const double> in, std::span<double> out) {
         const double whole[] = {in[0], 0, in[1], 0, in[2], 0, in[3]};
         regulate(whole, out);
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(without_velocities_one_must_remember) {
 BOOST_AUTO_TEST_CASE(generalisation_counts_the_625_starts) {
     const int good = generalisation(two_poles(false), [] { return remembering(); });
     BOOST_TEST(good >= 200);
-    BOOST_TEST(good < 625); // some starts are beyond saving
+    BOOST_TEST(good < 625); // some starts cannot be balanced
     // Without a push only the five stay up where all stands upright and still, wherever on the track.
     BOOST_TEST(generalisation(two_poles(false), [] { return Policy(rest); }) == 5);
 }

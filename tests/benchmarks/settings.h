@@ -17,7 +17,7 @@ struct Settings {
     Parameters parameters;
 };
 
-/// The defaults of MultiNEAT at the revision that the paper names: those of planula but for the scale of weights at the
+/// The defaults of MultiNEAT at the revision that the paper names: those of planula except the scale of weights at the
 /// start and of their mutations, and the rounding of weights.
 Settings multineat_settings();
 /// Stanley & Miikkulainen (2002), section 4 and appendix A: 150 networks, or 1000 with other rates for two poles

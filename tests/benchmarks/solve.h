@@ -14,8 +14,8 @@ struct Solution {
     std::int64_t evaluations; // attempts up to the first that solved the task; examinations are not counted
 };
 
-/// Runs the search named as in make_search() for at most so many generations. The result depends on its arguments
-/// alone.
+/// Runs the search named as in make_search() for at most the given number of generations. The result depends on its
+/// arguments alone.
 Solution solve(const Task &task, std::string_view search, const Parameters &parameters, std::uint64_t seed,
                int generations);
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes results.csv and multineat.csv in this folder, row by row. A row that was finished is kept, so that an interrupted
-# call goes on where it was, as long as the programs and the number of runs are the same.
+# Makes results.csv and multineat.csv in this folder, row by row. A row that was finished is kept, so that an
+# interrupted call goes on where it was, as long as the programs and the number of runs are the same.
 #
 #   tables.sh PROGRAMS RUNS KEPT     folders of the programs and of the finished rows; seeds 1 … RUNS
 set -euo pipefail

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Finds documentation that names what does not exist. Of every page (*.md; of CHANGELOG.md its first section) it reads the
-# code spans, the links and the blocks marked sh, and looks for files, make targets and variables, commands and options of
-# planula, and identifiers such as parameters, columns and functions. Of every comment of a source it reads the names of
-# files and the numbers of decisions. Prints FILE:LINE: what is wrong; fails if anything is.
+# Finds documentation that names what does not exist. Of every page (*.md; of CHANGELOG.md its first section) it reads
+# the code spans, the links and the blocks marked sh, and looks for files, make targets and variables, commands and
+# options of planula, and identifiers such as parameters, columns and functions. Of every comment of a source it reads
+# the names of files and the numbers of decisions. Prints FILE:LINE: what is wrong; fails if anything is.
 #
 #   documents.sh [ROOT]     ROOT is the checkout; by default the one this script lies in
 set -euo pipefail

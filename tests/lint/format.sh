@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Whether every C++ source is as clang-format 14, Debian 12's, leaves it. Where it is not installed, that is said and nothing fails.
+# Whether every C++ source is as clang-format 14, Debian 12's, leaves it. Where it is not installed, that is said and
+# nothing fails.
 set -euo pipefail
 cd "${1:-$(dirname "$0")/../..}"
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The architecture as a check: compares every #include of core/ and scripting/ with the room lines of their CMakeLists.txt,
-# both ways; then looks for constructs that are allowed in few places or in none. Comments and the text of string literals
-# do not count. Prints FILE:LINE: what is wrong; fails if anything is.
+# The architecture as a check: compares every #include of core/ and scripting/ with the room lines of their
+# CMakeLists.txt, both ways; then looks for constructs that are allowed in few places or in none. Comments and the text
+# of string literals do not count. Prints FILE:LINE: what is wrong; fails if anything is.
 #
 #   layering.sh [ROOT]      ROOT is the checkout; by default the one this script lies in
 set -euo pipefail

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Draws the rooms of the CMakeLists.txt that it reads as an SVG: a box for each room line, with the comment above the line,
-# and a line down to each room that it includes and does not reach through another. Rooms that three of five include are the
-# ground, without lines. Boxes lie in layers, each as high as the rooms above it allow (Sugiyama et al. 1981).
+# Draws the rooms of the CMakeLists.txt that it reads as an SVG: a box for each room line, with the comment above the
+# line, and a line down to each room that it includes and does not reach through another. Rooms that three of five
+# include are the ground, without lines. Boxes lie in layers, each as high as the rooms above it allow (Sugiyama et al.
+# 1981).
 
 function max(a, b) { return a > b ? a : b }
 function min(a, b) { return a < b ? a : b }
@@ -107,8 +108,8 @@ function sort_layer(at,   i, j, node) {
 
 function half(node) { return node ~ /^\./ ? 14 : BOX / 2 + 14 }
 
-# Places the nodes of a layer as near as can be to what they want, in their order and apart: runs of nodes that touch move
-# together, to the mean of what their members want.
+# Places the nodes of a layer as near as can be to what they want, in their order and apart: runs of nodes that touch
+# move together, to the mean of what their members want.
 function place_layer(at,   i, node, offset, runs, sum, members, first, last) {
     offset = 0
     for (i = 1; i <= size[at]; i++) {

@@ -67,7 +67,7 @@ found 'an alternative of a choice that no rule of the article describes' < <(
         done
     done
 )
-# Whoever cites rules by their numbers finds them there.
+# A rule that is cited by its number must be in the article.
 found 'a rule that the article does not have' < <(
     cited='(^|[^A-Za-z])rules? [A-Z]{1,2}[0-9]+((,| and| to) [A-Z]{1,2}[0-9]+)*|[\\]rul\{[A-Z]{1,2}[0-9]+'
     { grep -noE "$cited" /dev/null "${texts[@]}" || true; } | while IFS=: read -r file line words; do

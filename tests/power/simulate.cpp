@@ -144,7 +144,7 @@ Pair unequal(double effect) {
     };
 }
 
-/// Runs of one seed begin alike: their values correlate.
+/// Runs of one seed have the same generation 0: their values correlate.
 Pair correlated(double effect, double correlation) {
     return [shift = shift_of(effect), correlation](Stream &stream) {
         const auto common = normals(stream, runs_each, 0, std::sqrt(correlation));

@@ -45,7 +45,7 @@ bool agrees(double share, double expected, int repetitions) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(no_test_is_wrong_more_often_than_it_says) {
+BOOST_AUTO_TEST_CASE(the_error_rate_of_every_test_is_at_most_the_stated_one) {
     int checked = 0;
     for (const auto &row : kept("power.csv")) {
         const std::string &test = row[0], &truth = row[1];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Commands of planula as a user gives them, in this process or in one that can be killed, and the folders that they write.
+// Commands of planula as a user gives them, in this process or in one that can be killed, and the folders that they
+// write.
 #pragma once
 
 #include "program/commands.h"
@@ -60,7 +61,7 @@ inline std::map<std::string, std::string> all_files(const std::filesystem::path 
     return files;
 }
 
-/// The first file in which two folders differ; "" if there is none.
+/// The first file in which two folders differ; "" if they are equal.
 inline std::string difference(const std::filesystem::path &a, const std::filesystem::path &b) {
     const auto left = all_files(a), right = all_files(b);
     for (const auto &[name, bytes] : left)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder for files of a test, which goes with it.
+// A folder for files of a test, removed after it.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Genomes that no evolution would make, and what must hold of their lives all the same.
+// Genomes that no evolution would make, and what must still hold of their lives.
 #pragma once
 
 #include "evaluation/live.h"
@@ -75,7 +75,8 @@ inline std::string flaw(const Life &life, const Parameters &p) {
     if (!is_finite(life.rest) || !is_finite(life.finish)) return "a place that is not finite";
     for (const Vec2d place : life.path)
         if (!is_finite(place)) return "a path that is not finite";
-    if (!std::isfinite(life.elongation) || life.elongation < 0) return "an elongation that is none";
+    if (!std::isfinite(life.elongation) || life.elongation < 0)
+        return "an elongation that is not finite or negative";
     if (!(life.activity >= 0 && life.activity <= 1)) return "an activity outside [0, 1]";
     if (!(life.late_actuation >= 0 && life.late_actuation <= 1)) return "a late actuation outside [0, 1]";
     if (life.births < 1 || life.births > p.development.birth_limit)

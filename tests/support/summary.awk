@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Reads the log of ctest; prints what failed with its output, then one line that counts; fails if a test did, or if none ran.
+# Reads the log of ctest; prints what failed with its output, then one line that counts; fails if a test did, or if none
+# ran.
 /^ *[0-9]+\/[0-9]+ Test +#/ {
     ran++
     shown = !/ Passed /

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Alters a recorded run at random, again and again: digits, rows and generations of its tables and its chain, saved states,
-# files of another seed, the manifest, the identity, the scripts. `planula verify` must find each alteration without
-# simulating, and must name the generation if one was altered.
+# Alters a recorded run at random, again and again: digits, rows and generations of its tables and its chain, saved
+# states, files of another seed, the manifest, the identity, the scripts. `planula verify` must find each alteration
+# without simulating, and must name the generation if one was altered.
 #
 #   audit.sh PROGRAM [ALTERATIONS] [SEED]      100 alterations, seed 1
 set -euo pipefail
@@ -171,7 +171,7 @@ while ((done < alterations)); do
     rm -rf "$altered"
     cp -r "$whole" "$altered"
     alter "${kinds[done % ${#kinds[@]}]}"
-    # Two generations may have equal rows, and a row no digit; that the same text is packed otherwise is no alteration.
+    # Two generations may have equal rows, and a row no digit; the same text in other packing is no alteration.
     for table in "${tables[@]}"; do
         if [[ -f $altered/$table ]] && cmp -s <(text_of "$whole/$table") <(text_of "$altered/$table"); then
             cp "$whole/$table" "$altered/$table"

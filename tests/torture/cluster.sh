@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Runs experiments/slurm.sh under a Slurm that this script starts: two nodes and their controller on this machine, in a
-# temporary folder, with ports of their own. 8 settings × 2 seeds run as a job array and are interrupted in every way that a
-# cluster has: the time limit, `scancel`, a process killed by the system, a node that goes down and comes back, a process that
-# outlives its node, and two tasks that ask for one run. The results must be those of one process, to the byte.
+# temporary folder, with ports of their own. 8 settings × 2 seeds run as a job array and are interrupted in every way
+# that a cluster has: the time limit, `scancel`, a process killed by the system, a node that goes down and comes back, a
+# process that outlives its node, and two tasks that ask for one run. The results must be those of one process, to the
+# byte.
 #
 #   cluster.sh PROGRAM
 #
-# So that nothing depends on the speed of this machine, planula is held (SIGSTOP) while it works, until the event that the test
-# waits for. The time limit is a real one, the shortest that Slurm has: one minute. The signal that is due a minute before it
-# therefore comes when the controller next looks at its jobs, which is every 30 seconds.
+# So that nothing depends on the speed of this machine, planula is held (SIGSTOP) while it works, until the event that
+# the test waits for. The time limit is a real one, the shortest that Slurm has: one minute. The signal that is due a
+# minute before it therefore comes when the controller next looks at its jobs, which is every 30 seconds.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export LC_ALL=C
@@ -40,7 +41,7 @@ mine() {
     for file in $files; do
         if (($#)) && ! grep -qzxF -- "$1" "$file" 2> /dev/null; then continue; fi
         file=${file#/proc/} file=${file%/environ}
-        # Not those that have just looked.
+        # Without the processes of this search, which have ended.
         if [[ $file != "$$" && -d /proc/$file ]]; then echo "$file"; fi
     done
 }
@@ -138,8 +139,8 @@ exit_of() { scontrol show job "$1" | sed -nE 's/.* ExitCode=([0-9:]+).*/\1/p'; }
 has_state() { [[ $(state_of "$1") == "$2" ]]; }
 
 # ---- Held processes --------------------------------------------------------------------------------------------------
-# The program that the tasks run: planula, held in the first HOLD starts of the task as soon as it has worked for 50 ms. The
-# number of its process is in the name of a file then.
+# The program that the tasks run: planula, held in the first HOLD starts of the task as soon as it has worked for 50 ms.
+# The number of its process is in the name of a file then.
 cat > "$folder/planula" << END
 #!/usr/bin/env bash
 trap '' HUP # see below, where a node goes down
@@ -161,7 +162,7 @@ held() { # held [START]: the processes that are held, of all tasks JOB_TASK or o
         if [[ -e $file && -d /proc/${file##*.} ]]; then echo "${file##*.}"; fi
     done
 }
-are_held() { # are_held NUMBER: so many
+are_held() { # are_held NUMBER
     local pids
     mapfile -t pids < <(held)
     is "${#pids[@]}" "$1"
@@ -181,7 +182,8 @@ release() { # release PID…
 }
 
 # ---- The cluster -----------------------------------------------------------------------------------------------------
-# Slurm listens at the address of the machine's name, so that nothing leaves the machine; at any address if the name has none.
+# Slurm listens at the address of the machine's name, so that nothing leaves the machine; at any address if the name has
+# none.
 host=$(hostname -s) user=$(id -un)
 address=$(getent ahostsv4 "$host" | awk 'NR == 1 { print $1 }') || true
 listen=CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
@@ -189,7 +191,8 @@ listen=CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 is_free() { ! (: < "/dev/tcp/$address/$1") 2> /dev/null; }
 port=$((20000 + RANDOM % 10000))
 until is_free "$port" && is_free $((port + 1)) && is_free $((port + 2)); do port=$((port + 3)); done
-# A requeued job waits as long as a credential is valid: 5 seconds instead of 120. Nodes claim more processors than there are.
+# A requeued job waits as long as a credential is valid: 5 seconds instead of 120. Nodes claim more processors than
+# there are.
 cat > "$SLURM_CONF" << END
 ClusterName=planula
 SlurmctldHost=$host($address)

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes each system call for files that a command makes fail once: disk full, input or output error, too many open files,
-# permission denied. A command that exits with 0 must have the right results; any other must name a file, and when it is run
-# once more it must reach the right results without repeating what was complete or saved. The commands: a run from its
-# beginning and after a kill, a complete run that is continued, a merge into an empty folder and over a shorter run, and reduce.
-# Needs strace.
+# Makes each system call for files that a command makes fail once: disk full, input or output error, too many open
+# files, permission denied. A command that exits with 0 must have the right results; any other must name a file, and
+# when it is run once more it must reach the right results without repeating what was complete or saved. The commands: a
+# run from its beginning and after a kill, a complete run that is continued, a merge into an empty folder and over a
+# shorter run, and reduce. Needs strace.
 #
 #   faults.sh PROGRAM [EVERY]      every EVERYth call; 1: all of them
 set -euo pipefail

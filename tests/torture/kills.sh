@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Kills a run at random moments, the given number of times, with another length asked for each time and a checkpoint damaged
-# now and then. Every run that is completed must equal an undisturbed run of its length; then it is started from generation
-# 0 again. After that it kills `planula merge`, a quarter as often.
+# Kills a run at random moments, the given number of times, with another length asked for each time and a checkpoint
+# damaged now and then. Every run that is completed must equal an undisturbed run of its length; then it is started from
+# generation 0 again. After that it kills `planula merge`, a quarter as often.
 #
 #   kills.sh PROGRAM [KILLS] [SEED]      200 kills, seed 1
 set -euo pipefail
@@ -11,7 +11,8 @@ program=$(realpath "$1") kills=${2:-200}
 RANDOM=${3:-1}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# Recurrent networks, an archive, the ground: everything that a run has to save. The states before generations 25 and 50 stay.
+# Recurrent networks, an archive, the ground: everything that a run has to save. States before generations 25 and 50 are
+# kept.
 lengths=(5 12 26 27 51 60)
 setting=grn-te-ns
 run=("$program" run experiments/paper/replication.lua --only $setting --seeds 1 --population 12 --checkpoint 2
@@ -54,7 +55,7 @@ while ((killed < kills)); do
     wait_some $((microseconds / 2))
     if killed_or_done $child; then
         "$program" verify "$folder/run" --share 0 > "$folder/said" 2>&1 || { echo 'kills: verify fails'; cat "$folder/said"; exit 1; }
-        # Where a longer run was under way it still is.
+        # A longer run that was unfinished still is.
         [[ -f $place/checkpoint || -f $place/checkpoint.previous ]] && continue
         length=$(stated_length)
         compare "$(whole "$length")" "$folder/run"
@@ -82,7 +83,7 @@ began=$(date +%s%N)
 microseconds=$((($(date +%s%N) - began) / 1000))
 while ((merges < kills / 4)); do
     rm -rf "$folder/into"
-    # Into nothing, and over a shorter run.
+    # Into an empty folder, and over a shorter run.
     if ((RANDOM % 2)); then cp -r "$(whole 27)" "$folder/into"; fi
     for again in 1 2 3; do
         "$program" merge "$(whole 60)" --into "$folder/into" > "$folder/said" 2>&1 &

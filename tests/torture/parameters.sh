@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Does the signature depend on every parameter of the model? Changes one parameter after the other, in every setting of
-# experiments/signature.lua, until the signature changes: by a tenth, by one, to twice and half its value, or to each name of
-# a choice. Seeds and generations, which change no generation, and the parameters of statistics are left out.
+# experiments/signature.lua, until the signature changes: by a tenth, by one, to twice and half its value, or to each
+# name of a choice. Seeds and generations, which change no generation, and the parameters of statistics are left out.
 #
 #   parameters.sh PROGRAM [NAME…]      all parameters, unless some are named
 #
-# Prints each parameter whose changes leave the signature as it is, and a last line that counts; fails if there is one.
+# Prints how each parameter was seen or that it was not, and a last line that counts; fails if one was not seen.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 program=$(realpath "$1")

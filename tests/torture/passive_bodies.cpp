@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// passive_bodies COUNT: drops the bodies of so many random genomes and waits ten times as long as an evaluation does
-// for them to come to rest. Prints how many there are and how many are late or never rest; exits 1 if
+// passive_bodies COUNT: drops the bodies of COUNT random genomes and gives them ten times as long as an evaluation
+// does to come to rest. Prints how many there are and how many are late or never rest; exits 1 if
 // more than 0.2 % keep moving.
 #include "base/parallel.h"
 #include "base/text.h"

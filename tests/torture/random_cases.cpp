@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// random_cases COUNT: so many random cases each of distance, crossover, species and novelty, beside the obvious
-// writing of the same rules. Prints each case in which they disagree; exits 1 if there is one.
+// random_cases COUNT: compares distance, crossover, species and novelty with a simple implementation of the same
+// rules, in COUNT random cases each. Prints each case in which they disagree; exits 1 if there is one.
 #include "base/text.h"
 #include "core/evolution/obvious.h"
 

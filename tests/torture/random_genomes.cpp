@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// random_genomes COUNT: simulates so many hostile genomes, each in both worlds, half of them with each actuation.
+// random_genomes COUNT: simulates COUNT hostile genomes, each in both worlds, half of them with each actuation.
 // Prints how they ended and each result that is not finite; exits 1 if there is one.
 #include "base/parallel.h"
 #include "base/text.h"

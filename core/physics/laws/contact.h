@@ -24,7 +24,7 @@ template <class T> Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
 }
 
 /// The force on a cell at `from_foot` from the nearest point of a link: −∇U of U = stiffness/2·(radius − d)² for
-/// d = |from_foot| < radius, and 0 elsewhere and at d = 0. U is continuous everywhere, so contact gives back no more
+/// d = |from_foot| < radius, and 0 elsewhere and at d = 0. U is continuous everywhere, so contact gives no more
 /// energy than it took, whatever path a cell takes.
 template <class T> Vec2<T> contact_force(Vec2<T> from_foot, T stiffness, T radius) {
     const T d = length(from_foot);

@@ -25,7 +25,7 @@ class Contact {
     /// Forgets the list. Layout and kernel must outlive the use of this.
     void load(const Layout &layout, const Kernel &kernel);
     /// The touches of this state, in the order of contact cells; valid until the next call. `moved`: how far a
-    /// node has moved since the last call, at most but for rounding.
+    /// node has moved since the last call, at most, up to rounding.
     std::span<const Touch> touches(const Record *now, float moved);
 
   private:

@@ -70,7 +70,7 @@ struct Layout {
     SoftBodyModel
         model; // outline, contact cells with masks, by the nodes' numbers, and the numbers of the laws; no more
 
-    /// The first group that holds nodes of the outline (there is none without an outline), and how many there are from
+    /// The first group that holds nodes of the outline (only if the body has an outline), and how many there are from
     /// it on, those of copies included.
     int outline_group() const { return first_outline_node / group_size; }
     int outline_groups() const { return static_cast<int>(cell_of.size()) / group_size - outline_group(); }

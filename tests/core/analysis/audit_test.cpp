@@ -198,7 +198,7 @@ std::string alter_folder(const fs::path &place, Stream &stream) {
         std::stable_sort(lines.begin() + 1, lines.end(), [](const std::string &a, const std::string &b) {
             return std::stoi(a) < std::stoi(b);
         });
-        // Generations may be alike, of sizes as of champions.
+        // Two generations may have equal rows of sizes or of champions.
         if (joined(lines) == text_of(place, table)) return alter_folder(place, stream);
         put(place / table, joined(lines));
         maybe_mend();
@@ -277,7 +277,7 @@ std::string alter_folder(const fs::path &place, Stream &stream) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(an_untouched_run_agrees_with_itself_and_with_the_model) {
+BOOST_AUTO_TEST_CASE(an_unchanged_run_agrees_with_itself_and_with_the_model) {
     for (const std::string search : {"neat", "novelty"})
         for (const Recording record : {Recording::full, Recording::sample}) {
             const Audited run(search, 27, record);
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_becoming_longer_agrees_with_itself_meanwhile)
     for (const Stretch &stretch : stretches(open_run(run.place))) BOOST_TEST(run.refuted(stretch) == "");
 }
 
-BOOST_AUTO_TEST_CASE(whatever_is_altered_is_found_and_its_generation_named) {
+BOOST_AUTO_TEST_CASE(every_alteration_is_found_and_its_generation_named) {
     const Audited run;
     Stream stream(11, 0, 0, Purpose::sampling);
     for (int trial = 0; trial < 100; ++trial) {
@@ -384,7 +384,7 @@ BOOST_AUTO_TEST_CASE(a_kept_state_that_was_forged_is_found_by_simulating_up_to_i
     BOOST_TEST(contains(forged([](KeptState &kept) { kept.archive -= 1; }), "its archive has "));
 }
 
-BOOST_AUTO_TEST_CASE(another_setting_is_not_what_was_recorded) {
+BOOST_AUTO_TEST_CASE(another_judge_is_found_in_the_first_generation) {
     Audited run("novelty", 5);
     run.spec.judge = [](const Life &life) { return Evaluation{life.elongation, {life.elongation, 0}, 1}; };
     BOOST_TEST(contains(run.refuted({0, 3}), names(0)));

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(a_sound_analysis_passes) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(every_wrong_name_is_answered_with_the_nearest) {
+BOOST_AUTO_TEST_CASE(an_error_about_an_unknown_name_suggests_the_nearest) {
     BOOST_TEST(refusal([](Analysis &a) { a.claims[0].test = "best_at_generations"; }) ==
                "claim 'S': there is no test 'best_at_generations'; did you mean 'best_at_generation'?");
     BOOST_TEST(refusal([](Analysis &a) { a.claims[0].a = "nt"; }) ==

@@ -13,14 +13,14 @@ namespace {
 const std::vector<double> low{1, 2, 3, 4, 5, 6}, high{11, 12, 13, 14, 15, 16},
     mixed{5.5, 2.5, 4.5, 3.5, 1.5, 6.5};
 
-/// from, from + 1, … so many
+/// from, from + 1, …: `count` values
 std::vector<double> values(double from, int count) {
     std::vector<double> result;
     for (int i = 0; i < count; ++i) result.push_back(from + i);
     return result;
 }
 
-/// An analysis planned with so many runs of each setting.
+/// An analysis planned with this many runs of each setting.
 Analysis planned(int seeds) {
     Analysis analysis = fake_analysis();
     analysis.design.design.seeds = seeds;
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(no_difference_is_not_reproduced_for_want_of_runs) {
     BOOST_TEST(row.verdict == "inconclusive");
     BOOST_TEST(row.note == "of so few runs p of equivalence is at least 0.113");
 
-    // Twenty of each, alike: what differs is less than the bound. Far apart: it is more.
+    // Twenty similar values each: the difference is smaller than the bound. Twenty distant ones: it is larger.
     const auto twenty = values(1, 20);
     row = judge(claim, twenty, values(1.5, 20), planned(20));
     BOOST_TEST(row.verdict == "reproduced");
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(a_tie_among_the_best_speaks_against_the_claim) {
     Claim claim = fake_claim("top_runs");
     claim.count = 1;
     BOOST_TEST(judge(claim, {9, 1, 1, 1, 1, 1}, {9, 1, 1, 1, 1, 1}).effect.value() == 0);
-    // And for neither verdict: runs that are all alike say nothing.
+    // And for neither verdict: equal runs are inconclusive.
     claim.count = 5;
     BOOST_TEST(judge(claim, std::vector<double>(6, 7), std::vector<double>(6, 7)).verdict == "inconclusive");
 }

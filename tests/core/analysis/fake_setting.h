@@ -25,7 +25,7 @@ inline Analysis fake_analysis() {
     return analysis;
 }
 
-/// All runs below a folder, whatever is told of them.
+/// All runs below a folder; messages about them are dropped.
 inline RunChoice runs_in(const std::filesystem::path &folder) { return {.folder = folder}; }
 
 /// Setting "ns" against "neat".

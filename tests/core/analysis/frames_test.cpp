@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_life_that_is_not_the_recorded_one_is_refused) {
     BOOST_TEST(!std::filesystem::exists(folder / "frames/frames.csv"));
 }
 
-BOOST_AUTO_TEST_CASE(a_life_that_is_judged_otherwise_is_refused) {
+BOOST_AUTO_TEST_CASE(a_life_with_another_judgement_is_refused) {
     const TemporaryFolder folder;
     std::vector<BestGenomeRow> rows = recorded();
     for (BestGenomeRow &row : rows) row.fitness = 1.25;

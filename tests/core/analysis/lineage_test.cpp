@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_line_goes_from_the_first_generation_to_the_genome) {
     BOOST_TEST((family.line(0, true) == std::vector<std::int64_t>{0}));
 }
 
-BOOST_AUTO_TEST_CASE(unchanged_copies_are_left_out_but_for_the_genome_itself) {
+BOOST_AUTO_TEST_CASE(a_line_leaves_out_unchanged_copies_except_the_genome_asked_for) {
     const Family family;
     BOOST_TEST((family.line(11, false) == std::vector<std::int64_t>{2, 8, 11}));
     BOOST_TEST((family.line(5, false) == std::vector<std::int64_t>{2, 5}));
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_lineage_has_what_each_ancestor_was_and_did) {
     BOOST_TEST(row.links == 54);
 }
 
-BOOST_AUTO_TEST_CASE(a_genome_that_never_was_and_a_mother_born_later_are_refused) {
+BOOST_AUTO_TEST_CASE(an_unknown_genome_and_a_mother_younger_than_her_child_are_refused) {
     const Family family;
     const RecordedRun run = read_run(family.folder / "run");
     const std::string file = (family.folder / "run/individuals.csv.gz").string();

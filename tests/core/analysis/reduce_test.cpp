@@ -169,7 +169,7 @@ Analysis sampled_analysis() {
     return analysis;
 }
 
-/// Two settings of so many generations of 60, of which a sample is a part from generation 17 on.
+/// Two settings of populations of 60. A sample is smaller than the run from generation 17 on.
 std::vector<Spec> two_settings(int generations, Recording record = Recording::full) {
     std::vector<Spec> settings{fake_spec("ns", generations, 60, "novelty"),
                                fake_spec("neat", generations, 60)};
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(the_runs_of_another_identity_and_of_other_seeds_are_as_if_t
     check_equal(folder / "one", folder / "other");
     BOOST_TEST(told.empty()); // the others are not asked for
 
-    // Asked for, they are told of, and missing.
+    // If they are asked for, they are reported as missing.
     const RunChoice all{chosen.folder, {2, 4, 8, 9}, chosen.tell};
     reduce(sampled_analysis(), settings, all, folder / "again");
     check_equal(folder / "again", folder / "other");

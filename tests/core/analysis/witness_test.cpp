@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_champion_that_moves_while_its_muscles_hold_still_is_flagg
 
 BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscles_hold_still) {
     // Champions of a law of self-collision that fed them: they swam 6 cells by trembling at up to 13 cells/t.u.
-    // Now they hold a posture, and their way does not hang on the time step.
+    // Now they hold a posture, and their way does not depend on the time step.
     for (const char *name : {"arch", "knot"}) {
         const auto folder = std::filesystem::path(PLANULA_SOURCE_DIR) / "tests/golden/tremblers" / name;
         const Genome genome = genome_of(read_table<GenomeRow>(folder));

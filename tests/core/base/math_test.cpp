@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(limits_and_odd_arguments_have_their_values) {
         BOOST_TEST(std::isnan(f(std::numeric_limits<double>::quiet_NaN())));
 }
 
-BOOST_AUTO_TEST_CASE(atan2_knows_its_quadrants) {
+BOOST_AUTO_TEST_CASE(atan2_has_the_quadrant_of_the_point) {
     BOOST_TEST(math::atan2(1, 1) == math::pi / 4, boost::test_tools::tolerance(1e-15));
     BOOST_TEST(math::atan2(1, -1) == 3 * math::pi / 4, boost::test_tools::tolerance(1e-15));
     BOOST_TEST(math::atan2(-1, -1) == -3 * math::pi / 4, boost::test_tools::tolerance(1e-15));

@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(orientations_turn_as_the_links_of_a_cell_do) {
 BOOST_AUTO_TEST_CASE(division_needs_room_for_the_daughter_but_not_from_the_mother) {
     Parameters p;
     p.development.division_jitter = 0;
-    // Exactly at the clearance (a binary fraction) there is room; slightly nearer there is none, and nothing
+    // Exactly at the clearance (a binary fraction) there is room; slightly nearer there is no room, and nothing
     // changes.
     p.development.division_clearance = 0.4375;
     Embryo free = star({{0, 0}, {1 + p.development.division_clearance, 0}});

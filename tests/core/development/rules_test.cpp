@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(exactly_collinear_cells_are_a_chain) {
     BOOST_TEST(growth.body.mesh.triangles.empty());
 }
 
-BOOST_AUTO_TEST_CASE(cocircular_cells_are_joined_alike_in_any_order_and_place) {
+BOOST_AUTO_TEST_CASE(cocircular_cells_have_the_same_links_in_any_order_and_place) {
     // Four corners of a square: one diagonal, by symbolic perturbation always the same.
     const std::vector<Vec2d> square{{0, 0}, {1, 0}, {0, 1}, {1, 1}};
     std::vector<int> order{0, 1, 2, 3};

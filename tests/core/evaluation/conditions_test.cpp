@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(refinement_keeps_every_duration_in_time_units) {
     check_consistency(half);
 }
 
-BOOST_AUTO_TEST_CASE(nothing_else_is_refined) {
+BOOST_AUTO_TEST_CASE(refinement_changes_no_other_parameter) {
     const Parameters whole;
     const Parameters half = refined(whole, 2);
     int changed = 0;

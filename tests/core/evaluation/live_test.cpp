@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_life_is_pure_on_every_thread_and_after_any_other) {
     for (std::size_t i = 0; i < genomes.size(); ++i) BOOST_TEST((first[i] == second[i]));
 }
 
-BOOST_AUTO_TEST_CASE(watching_changes_nothing_and_sees_everything) {
+BOOST_AUTO_TEST_CASE(watching_changes_no_result_and_misses_no_step) {
     const Genome genome = lump_genome(Actuation::oscillator, 6);
     int grown = 0, born = 0, moved = 0;
     Vec2d last;
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(watching_changes_nothing_and_sees_everything) {
     BOOST_TEST((last == watched.finish));
 }
 
-BOOST_AUTO_TEST_CASE(half_the_step_moves_a_body_alike) {
+BOOST_AUTO_TEST_CASE(half_the_time_step_moves_a_body_nearly_as_far) {
     // Less than 2 % on fixed specimens.
     for (const bool on_land : {false, true}) {
         Conditions halved = conditions(Actuation::oscillator, on_land);
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(hostile_weights_end_in_a_named_outcome_and_finite_numbers) 
         }
 }
 
-BOOST_AUTO_TEST_CASE(a_nudge_moves_every_node_a_little_and_another_number_otherwise) {
+BOOST_AUTO_TEST_CASE(a_nudge_moves_every_node_a_little_and_depends_on_its_number) {
     const auto start = [](Nudge nudge) {
         Conditions nudged = conditions(Actuation::oscillator, false);
         nudged.nudge = nudge;

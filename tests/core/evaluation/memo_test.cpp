@@ -54,7 +54,7 @@ Genome with_last_weight(Genome genome, double weight) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(an_equal_genome_is_known_whatever_its_name_and_another_is_not) {
+BOOST_AUTO_TEST_CASE(an_equal_genome_is_known_under_any_id_and_another_is_not) {
     for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
         const Conditions given = conditions(actuation);
         const Genome lump = lump_genome(actuation, 6), dead = bare_genome(actuation);
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(networks_as_muscles_are_known_by_the_genome_alone) {
     BOOST_TEST((known.lives == 0 && known.movements == 0));
 }
 
-BOOST_AUTO_TEST_CASE(one_generation_is_remembered_and_what_it_knew_itself) {
+BOOST_AUTO_TEST_CASE(one_generation_is_remembered_with_the_results_that_it_took_from_the_one_before) {
     const Conditions given = conditions(Actuation::oscillator);
     const Genome lump = lump_genome(Actuation::oscillator, 6), line = line_genome(Actuation::oscillator, 5);
     Memo memo(given);
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(one_generation_is_remembered_and_what_it_knew_itself) {
     BOOST_TEST(known.movements == 1);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_known_does_not_depend_on_threads) {
+BOOST_AUTO_TEST_CASE(known_individuals_do_not_depend_on_threads) {
     const Conditions given = conditions(Actuation::oscillator);
     std::vector<Genome> first, second;
     for (int i = 0; i < 8; ++i) {

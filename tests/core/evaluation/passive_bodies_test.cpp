@@ -6,7 +6,7 @@
 using namespace planula;
 using namespace planula::specimens;
 
-BOOST_AUTO_TEST_CASE(of_passive_bodies_hardly_any_keeps_moving) {
+BOOST_AUTO_TEST_CASE(hardly_any_passive_body_keeps_moving) {
     // At most 0.2 % of random bodies; `make torture` drops thousands.
     int bodies = 0;
     for (std::uint64_t number = 0; bodies < 40; ++number)

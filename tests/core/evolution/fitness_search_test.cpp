@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(the_next_generation_is_that_of_neat_with_shared_scores) {
     BOOST_TEST(populations::sizes(next) == (std::vector<int>{6, 2}), boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(it_remembers_nothing_but_its_name) {
+BOOST_AUTO_TEST_CASE(its_saved_state_is_its_name) {
     const Population population;
     StateWriter writer;
     FitnessSearch(Parameters()).save(population, writer);

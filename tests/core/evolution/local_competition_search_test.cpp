@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(competition_is_with_the_nearest_alive_or_archived) {
     BOOST_TEST(objectives[5].empty());
 }
 
-BOOST_AUTO_TEST_CASE(within_a_front_genotypes_apart_from_others_come_first) {
+BOOST_AUTO_TEST_CASE(within_a_front_the_most_distant_genotypes_come_first) {
     const std::vector<Objectives> objectives{{1, 2, 0.5}, {2, 1, 3}, {3, 0, 2}};
     const LocalCompetitionSearch search(of(3, 1));
     BOOST_TEST(search.diversity(objectives, std::vector{0, 2}) == (std::vector<double>{0.5, 2}),

@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(the_index_finds_what_sorting_all_points_finds_to_the_bit) {
     BOOST_TEST(questions == 20000);
 }
 
-BOOST_AUTO_TEST_CASE(of_equals_the_first_added_is_the_nearer) {
+BOOST_AUTO_TEST_CASE(among_equally_near_points_the_first_added_is_the_nearer) {
     PointIndex index;
     for (int i = 0; i < 500; ++i) index.add(Point{1, 1});
     const auto found = nearest(index, {1, 2}, 3);

@@ -53,7 +53,7 @@ Parameters nearest(int k) {
     return parameters;
 }
 
-/// The threshold after so many raises and falls, in the order of the search's own products.
+/// The threshold after these numbers of raises and falls, in the order of the search's own products.
 double moved(double threshold, int raises, int falls = 0) {
     for (int i = 0; i < raises; ++i) threshold *= 1.1;
     for (int i = 0; i < falls; ++i) threshold *= 0.9;
@@ -191,7 +191,8 @@ BOOST_AUTO_TEST_CASE(the_threshold_falls_after_fifty_generations_without_additio
     BOOST_TEST(run.search.archive_threshold() == moved(0.5, 0, 2));
     quiet(50);
     BOOST_TEST(run.search.archive_threshold() == 0.4);
-    for (int i = 0; i < 50; ++i) run.generation({invalid(), invalid()}); // nobody valid: no addition either
+    for (int i = 0; i < 50; ++i)
+        run.generation({invalid(), invalid()}); // no valid individual: no addition either
     BOOST_TEST(run.search.archive_threshold() == 0.4);
 }
 

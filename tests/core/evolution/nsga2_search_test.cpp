@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(parents_and_children_compete_by_front_then_by_crowding) {
     BOOST_TEST(search.archive().size() == 3u); // each is novel enough
 
     // Generation 1: at 5, 20, none; fitness 9, 2. All three old ones and the archive are neighbours: the old
-    // ones lie upon their own entries, novelty 0; so does the first child; the second has 15. Fronts: {3, 4},
+    // ones are at their own entries, novelty 0; so does the first child; the second has 15. Fronts: {3, 4},
     // then fitness alone: {1}, {2}, {0}; who is not valid comes last.
     const auto later = search.score(numbered(3, 3), std::vector<Evaluation>{{9, {5}, 1}, {2, {20}, 1}, {}});
     BOOST_TEST(ids(search.kept()) == (Ids{3, 4, 1}), per_element());
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(the_crowded_of_the_last_front_are_dropped) {
 }
 
 BOOST_AUTO_TEST_CASE(binary_tournaments_prefer_the_higher_rank) {
-    // Of n, the one at place i from 0 wins (2 (n − i) − 1) / n² of all tournaments; nobody mates here.
+    // Of n, the one at place i from 0 wins (2 (n − i) − 1) / n² of all tournaments; there is no mating here.
     Parameters parameters = populations::frozen(4000);
     parameters.novelty.novelty_neighbours = 1;
     Nsga2Search search(parameters);

@@ -39,12 +39,12 @@ std::vector<Objectives> min_ex() {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(domination_asks_for_nowhere_lower_and_somewhere_higher) {
+BOOST_AUTO_TEST_CASE(a_solution_dominates_if_it_is_nowhere_lower_and_somewhere_higher) {
     BOOST_TEST(dominates({2, 2}, {1, 2}));
     BOOST_TEST(!dominates({1, 2}, {2, 2}));
     BOOST_TEST(!dominates({1, 2}, {1, 2}));
     BOOST_TEST((!dominates({1, 2}, {2, 1}) && !dominates({2, 1}, {1, 2})));
-    // Whoever is feasible dominates those who are not, and these are alike.
+    // A feasible solution dominates one that is not; of two infeasible ones neither dominates.
     BOOST_TEST(dominates({0, 0}, {}));
     BOOST_TEST(!dominates({}, {0, 0}));
     BOOST_TEST(!dominates({}, {}));
@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(the_crowding_distances_of_debs_second_front_are_his) {
     BOOST_TEST(std::abs(book[3] - in_book_ranges(0.79 - 0.27, 6.93 - 3.97)) < 0.001);
 }
 
-BOOST_AUTO_TEST_CASE(every_front_is_what_no_other_of_those_left_dominates) {
+BOOST_AUTO_TEST_CASE(every_front_is_the_solutions_that_no_remaining_one_dominates) {
     for (const std::size_t objectives : {1u, 2u, 3u})
         for (std::uint32_t n = 0; n < 30; ++n) {
             // A coarse lattice, so that there are equals; some are not feasible.

@@ -41,7 +41,7 @@ inline int depth(const Genome &genome) {
     return *std::max_element(longest.begin(), longest.end());
 }
 
-/// Activations after so many synchronous steps from rest.
+/// Activations after a number of synchronous steps from rest.
 inline std::vector<double> activate(const Genome &genome, int steps) {
     std::vector<double> state(genome.nodes.size(), 0);
     std::copy(input.begin(), input.end(), state.begin());

@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(halves_are_rounded_up_and_the_last_born_are_too_many) {
     BOOST_TEST(next.genomes.size() == 5u);
 }
 
-BOOST_AUTO_TEST_CASE(what_rounding_leaves_open_is_filled) {
+BOOST_AUTO_TEST_CASE(slots_left_by_rounding_are_filled) {
     const Population next = next_of(far_apart({4, 3, 3}), repeat({{10, 1}}), frozen(10).neat); // 3.33 each
     BOOST_TEST(sizes(next) == (Sizes{4, 3, 3}), per_element());
     BOOST_TEST((next.genomes[3].origin == Origin::filler));
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(no_species_is_marked_if_the_species_of_the_record_is_gone) 
     BOOST_TEST(find(next, 1)->age == 1);
 }
 
-BOOST_AUTO_TEST_CASE(in_generation_zero_the_first_species_holds_the_mark) {
+BOOST_AUTO_TEST_CASE(in_generation_zero_the_first_species_is_marked_best) {
     const Population next = next_of(far_apart({1, 1}), {1, 2}, frozen(10).neat);
     BOOST_TEST(find(next, 0)->best);
     BOOST_TEST(!find(next, 1)->best);
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(every_generation_of_a_long_run_is_sound_and_repeats_bit_for
                 BOOST_TEST_REQUIRE(next.generation == generation + 1);
                 BOOST_TEST_REQUIRE(next.genomes.size() == 60u);
 
-                // Ids are new and unique; parents lived before, or in this generation for fillers.
+                // Ids are new and unique; parents are of an earlier generation, or for fillers of this one.
                 std::set<std::int64_t> ids, parents;
                 for (const auto &genome : population.genomes) parents.insert(genome.id);
                 for (const auto &genome : next.genomes) {

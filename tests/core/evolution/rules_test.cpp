@@ -113,11 +113,11 @@ BOOST_AUTO_TEST_CASE(ages_stagnation_records_and_the_mark_go_as_worked_by_hand) 
         double record;
     };
     const Expected generations[] = {
-        // Nobody has a record yet, so the first in the list holds it; both rise above nothing.
+        // No species has a record yet, so the first in the list holds it; both improve.
         {{2, 3}, {1, 1}, {0, 0}, {2, 3}, 0, 3},
         // The mark follows the record of before; who loses it is young again.
         {{2.5, 1}, {0, 2}, {0, 1}, {2.5, 3}, 1, 3},
-        // To equal one's best is no rise. The new record of the other is not yet seen.
+        // A score equal to the best before is no improvement. The new record of the other is not yet seen.
         {{4, 3}, {1, 3}, {0, 2}, {4, 3}, 1, 4},
         {{1, 1}, {2, 0}, {1, 0}, {4, 3}, 0, 4},
         {{1, 1}, {3, 1}, {2, 1}, {4, 3}, 0, 4},
@@ -140,14 +140,14 @@ BOOST_AUTO_TEST_CASE(ages_stagnation_records_and_the_mark_go_as_worked_by_hand) 
 
 BOOST_AUTO_TEST_CASE(a_species_that_never_scored_has_the_floor_as_its_best) {
     const Population next = after(far_apart({2, 2}), {0, 1}, frozen(40));
-    BOOST_TEST(next.species.size() == 1u); // 1e-4 of 1 is a quota of nobody
+    BOOST_TEST(next.species.size() == 1u); // 1e-4 of 1 is a quota of no child
     const Population even = after(far_apart({2, 2}), {0, 0}, frozen(40));
     for (const Species &species : even.species) BOOST_TEST(species.best_ever == 1e-4);
     BOOST_TEST(even.best_ever == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_species_that_loses_the_mark_counts_as_young_at_once) {
-    // The first has stagnated for long, but loses the mark to the second now: age and stagnation start anew before
+    // The first has stagnated for long, but loses the mark to the second now: age and stagnation are reset before
     // the offspring is shared out, 1.1 to 1.
     Population population = far_apart({1, 1});
     population.best_ever = 5;
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(the_mark_alone_keeps_a_stagnating_species_alive) {
 }
 
 BOOST_AUTO_TEST_CASE(children_try_species_in_the_order_of_their_records) {
-    // All weights lie within the threshold of each other, so that the first species asked takes everyone.
+    // All weights lie within the threshold of each other, so that the first species in the order takes all.
     Population population = populations::of({{0}, {1}, {2}});
     const double records[] = {1, 3, 2};
     for (int i = 0; i < 3; ++i) population.species[i].best_ever = records[i];
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(innovations_are_kept_for_the_whole_run) {
     BOOST_TEST(plain.nodes.back().id == node);
 }
 
-BOOST_AUTO_TEST_CASE(no_two_children_of_a_generation_are_alike) {
+BOOST_AUTO_TEST_CASE(no_two_children_of_a_generation_are_equal) {
     const Parameters parameters;
     Population population = initial_population({4, 2, false}, parameters.neat, 3);
     for (int generation = 0; generation < 3; ++generation) {
@@ -369,7 +369,7 @@ BOOST_AUTO_TEST_CASE(fewer_than_k_neighbours_are_all_of_them) {
         return search.score(population, evaluations);
     };
     BOOST_TEST(score({{0, {0}, 1}, {0, {4}, 1}}) == (std::vector<double>{4, 4}), per_element());
-    // From 1: 1 and 3 in the archive, 9 to the other. From 10: 10, 6, 9. The invalid is nobody's.
+    // From 1: 1 and 3 in the archive, 9 to the other. From 10: 10, 6, 9. The invalid one is no neighbour.
     BOOST_TEST(score({{0, {1}, 1}, {0, {10}, 1}}) == (std::vector<double>{13.0 / 3, 25.0 / 3}),
                per_element());
     // All four are archived: from 0 these are 0, 1, 4 and 10 away.

@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(every_name_makes_its_search) {
     BOOST_TEST(make_search("map-elites", Parameters())->archive_threshold() == 0);
 }
 
-BOOST_AUTO_TEST_CASE(an_unknown_name_is_answered_with_the_nearest_or_with_all) {
+BOOST_AUTO_TEST_CASE(an_error_about_an_unknown_name_suggests_the_nearest_or_lists_all) {
     const auto message_for = [](std::string_view name) -> std::string {
         try {
             make_search(name, Parameters());

@@ -17,7 +17,7 @@ namespace planula {
 
 using Ids = std::vector<std::int64_t>;
 
-/// A generation of so many equal genomes with ids from `first` on.
+/// A generation of equal genomes with ids from `first` on.
 inline Population numbered(int size, std::int64_t first) {
     Population population = populations::of({std::vector<double>(size, 1)});
     for (Genome &genome : population.genomes) genome.id = first++;

@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(all_parameters_decide_lives_but_lengths_and_statistics) {
                                                      "witness_nudge", "witness_nudges"}));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_not_shown_has_a_reason) {
+BOOST_AUTO_TEST_CASE(a_parameter_that_cannot_be_shown_has_a_reason) {
     for (const ParameterRow &row : parameter_rows())
         BOOST_TEST(why_not_shown(row.name).empty() == decides_lives(row), row.name);
     BOOST_TEST(why_not_shown("no_such") == "");
@@ -55,7 +55,7 @@ double other_value(const ParameterRow &row) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(what_nothing_reads_in_a_setting_changes_no_bit_of_its_runs) {
+BOOST_AUTO_TEST_CASE(a_parameter_that_a_setting_does_not_read_changes_no_bit_of_its_runs) {
     for (const std::string_view search : search_names())
         for (const Actuation actuation : {Actuation::oscillator, Actuation::grn})
             for (const bool other : {false, true}) {

@@ -103,7 +103,8 @@ template <class... Fields> void change_each(const Made &made, Fields &...fields)
 
 } // namespace
 
-// All records but lives, which have a list, are taken apart by name here, too: whoever adds a field adds it to its test.
+// The fields of lives come from a list. Those of all other records are named here too: who adds a field must add it to
+// its test.
 
 BOOST_AUTO_TEST_CASE(every_field_of_a_life_is_in_the_digest) {
     Made made;
@@ -153,7 +154,7 @@ BOOST_AUTO_TEST_CASE(every_field_of_an_evaluation_and_of_a_generation_is_in_the_
     change_each(made, made.evaluations, made.scores, made.best, made.number, made.search.threshold);
 }
 
-BOOST_AUTO_TEST_CASE(of_the_archive_come_the_new_entries_and_the_number_of_all) {
+BOOST_AUTO_TEST_CASE(the_digest_has_the_new_entries_of_the_archive_and_the_number_of_all) {
     Made made;
     change(made, made.search.entries);
     for (std::size_t i = 1; i < 3; ++i) {
@@ -176,21 +177,21 @@ BOOST_AUTO_TEST_CASE(lists_keep_their_borders) {
     BOOST_TEST(one.digest() != two.digest());
 }
 
-BOOST_AUTO_TEST_CASE(what_this_process_remembered_is_not_in_the_digest) {
+BOOST_AUTO_TEST_CASE(the_memo_is_not_in_the_digest) {
     Made made;
     const std::string before = made.digest();
     made.known.lives = 2;
     BOOST_TEST(made.digest() == before);
 }
 
-BOOST_AUTO_TEST_CASE(what_follows_from_the_generations_before_is_not_in_the_digest) {
+BOOST_AUTO_TEST_CASE(the_results_of_mothers_are_not_in_the_digest) {
     Made made;
     const std::string before = made.digest();
     made.mothers.add(made.population, made.lives, made.evaluations);
     BOOST_TEST(made.digest() == before);
 }
 
-BOOST_AUTO_TEST_CASE(what_one_hash_is_fed_adds_up) {
+BOOST_AUTO_TEST_CASE(a_second_digest_into_one_hash_changes_it) {
     const Made made;
     const Generation generation{made.number, made.population, made.lives, made.evaluations, made.scores,
                                 made.search, made.mothers,    made.best,  made.known};

@@ -47,7 +47,7 @@ std::string change_of(const std::function<void(Spec &)> &change) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(what_decides_a_run_changes_its_identity_and_is_named_with_both_values) {
+BOOST_AUTO_TEST_CASE(a_changed_key_changes_the_identity_and_is_named_with_both_values) {
     BOOST_TEST(change_of([](Spec &s) { s.search = "novelty"; }) ==
                "search: recorded with neat, asked for with novelty");
     BOOST_TEST(change_of([](Spec &s) { s.actuation = Actuation::grn; }) ==
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(every_parameter_that_decides_lives_is_in_the_identity_and_n
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_only_says_how_a_run_is_called_or_how_much_is_done_is_no_part_of_it) {
+BOOST_AUTO_TEST_CASE(names_places_and_lengths_are_not_in_the_identity) {
     BOOST_TEST(changed([](Spec &s) { s.name = "other"; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.title = "Other"; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.parameters.design.generations = 7; }).empty());
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_the_record_does_not_know_had_its_standard_
     BOOST_TEST((differences(older, identity_of(other, seed)) ==
                 std::vector<std::string>{"parameter gravity: recorded with 5, asked for with 1"}));
 
-    // One that this version does not know decides with whatever value it has.
+    // The value of a parameter that this version does not know always counts.
     Identity newer = whole;
     newer.items.push_back({"parameter lift", "0.5", ""});
     BOOST_TEST(newer.sha256() != whole.sha256());

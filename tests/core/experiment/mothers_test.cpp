@@ -45,7 +45,7 @@ std::string saved(const Mothers &mothers) {
 
 /// Mothers of a run as they should be, and which they were.
 struct Seen {
-    std::map<std::int64_t, MotherLife> lives; // of everyone so far
+    std::map<std::int64_t, MotherLife> lives; // of all individuals so far
     int known = 0,
         earlier = 0;    // children with a known mother; those whose mother is older than the last generation
     bool keeps = false; // whether the search keeps individuals

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(searches_that_keep_individuals_go_on_with_them) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_the_mothers_did_comes_back) {
+BOOST_AUTO_TEST_CASE(a_saved_state_has_the_results_of_the_mothers) {
     for (const std::string_view search : search_names()) {
         const Spec spec = small(search, Actuation::oscillator);
         RunState state = begin(spec, seed);

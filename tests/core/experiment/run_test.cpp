@@ -26,7 +26,7 @@ std::string signature(const Spec &spec, std::uint64_t seed, int threads) {
     return hash.hex();
 }
 
-/// The signature of a run in which everyone lives, known or not.
+/// The signature of a run in which every individual is simulated, known or not.
 std::string signature_without_memo(const Spec &spec, std::uint64_t seed) {
     Signature hash;
     RunState state = begin(spec, seed);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t seed = 4;
 
-/// Whether the sample of a run of so many generations has the individual.
+/// Whether the sample of a run of this length has the individual.
 bool is_in_sample(int population, int generations, int generation, int slot) {
     return lot(seed, generation, slot) <
            sample_share(recorded_share, recorded_least, population, generations);
@@ -17,7 +17,7 @@ bool is_in_sample(int population, int generations, int generation, int slot) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(the_sample_of_a_short_run_is_everyone_and_of_a_long_one_the_least_share) {
+BOOST_AUTO_TEST_CASE(the_sample_of_a_short_run_is_all_individuals_and_of_a_long_one_the_least_share) {
     BOOST_TEST(sample_share(0.01, 1000, 10, 100) == 1);
     BOOST_TEST(sample_share(0.01, 1000, 10, 99) == 1);
     BOOST_TEST(sample_share(0.01, 1000, 10, 200) == 0.5);
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(all_in_the_sample_of_a_longer_run_were_recorded) {
                                         is_recorded(seed, population, generation, slot)));
 }
 
-BOOST_AUTO_TEST_CASE(everyone_is_recorded_up_to_a_thousand_individuals_and_fewer_after) {
+BOOST_AUTO_TEST_CASE(all_individuals_are_recorded_up_to_a_thousand_and_a_share_after) {
     constexpr int population = 50;
     int early = 0, late = 0;
     for (int generation = 0; generation < 20; ++generation)

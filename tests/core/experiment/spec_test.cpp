@@ -29,7 +29,7 @@ void refused(const Spec &spec, const std::string &rule) {
 
 BOOST_AUTO_TEST_CASE(a_complete_setting_is_accepted) { check_spec(good()); }
 
-BOOST_AUTO_TEST_CASE(what_is_wrong_with_a_setting_is_said) {
+BOOST_AUTO_TEST_CASE(an_invalid_setting_is_refused_with_the_rule) {
     for (const char *name : {"", "a b", "../up", "x/y", "ä"}) {
         Spec spec = good();
         spec.name = name;

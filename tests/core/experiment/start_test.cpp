@@ -15,7 +15,7 @@ using namespace planula;
 
 namespace {
 
-/// Bodies are told apart by their cells; `lives` counts those judged.
+/// Bodies are distinguished by their number of cells; `lives` counts those judged.
 Spec with_start(int generations, int *lives = nullptr, Actuation actuation = Actuation::oscillator) {
     Spec spec;
     spec.name = "start";
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(without_a_start_generation_0_is_random) {
     BOOST_TEST((first_of(spec, 4).genomes == random.genomes));
 }
 
-BOOST_AUTO_TEST_CASE(generation_0_is_whole_and_without_a_past) {
+BOOST_AUTO_TEST_CASE(generation_0_is_complete_and_has_no_ancestors) {
     int lives = 0;
     const Spec spec = with_start(6, &lives);
     const Population first = first_of(spec, 1);

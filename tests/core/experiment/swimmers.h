@@ -9,7 +9,7 @@
 
 namespace planula {
 
-/// Four generations of so many, who swim for so many steps.
+/// Four generations of swimmers.
 inline Spec swimmers(std::string_view search, Actuation actuation, int population, int locomotion_steps) {
     Spec spec;
     spec.name = "small";

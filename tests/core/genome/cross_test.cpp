@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(the_child_has_the_nodes_its_links_need_and_no_others) {
     BOOST_CHECK_NO_THROW(check_genome(both));
 }
 
-BOOST_AUTO_TEST_CASE(the_child_knows_its_parents) {
+BOOST_AUTO_TEST_CASE(a_child_has_the_ids_of_its_parents) {
     Stream stream = specimens::stream(5);
     const Genome child = cross({mother, 2}, {father, 1}, {}, stream);
     BOOST_TEST(child.mother == 10);

@@ -344,7 +344,7 @@ BOOST_AUTO_TEST_CASE(operators_are_drawn_by_their_weights_and_redrawn_when_they_
     BOOST_TEST((genome == full));
 }
 
-BOOST_AUTO_TEST_CASE(dead_ends_are_what_leads_nowhere) {
+BOOST_AUTO_TEST_CASE(dead_ends_are_nodes_without_a_way_in_or_out) {
     const auto with = [](std::vector<LinkGene> links, bool hidden) {
         Genome genome = bare(2, 2); // input 0, bias 1, outputs 2 and 3
         if (hidden) genome.nodes.push_back({4, NodeKind::hidden, 0.5});

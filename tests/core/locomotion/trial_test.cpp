@@ -46,7 +46,7 @@ struct RecordingEngine : Engine {
     std::function<double(int)> speed = [](int) { return 0.0; };
     double from = 0, to = 0;
     int interval = 0, since = 0;
-    std::vector<double> lengths, dampings; // of a spring of length 1 between nodes alike
+    std::vector<double> lengths, dampings; // of a spring of length 1 between equal nodes
 };
 
 /// Every cell contracts at the shortest period, in a phase of its own: neighbours pull against each other.
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(in_water_there_is_no_settling_and_rest_is_the_start) {
 }
 
 BOOST_AUTO_TEST_CASE(a_body_must_be_slow_for_the_whole_window_in_a_row) {
-    // Slow from step 101 on but for one step, 500: it is at rest at step 500 + 800.
+    // Slow from step 101 on except at step 500: it is at rest at step 500 + 800.
     const auto model = soft_body(lattice(2, 1), land());
     SameSignal gait([](int) { return 0.0; });
     RecordingEngine engine;

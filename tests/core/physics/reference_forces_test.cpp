@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The families of forces on whole bodies: those between nodes are internal, drag takes energy, contact gives back what
+// The families of forces on whole bodies: those between nodes are internal, drag takes energy, contact returns what
 // it took.
 #include "physics/reference/forces.h"
 
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(every_link_in_reach_pushes) {
     BOOST_TEST((forces[2] == forces[3]));
 }
 
-BOOST_AUTO_TEST_CASE(contact_takes_what_it_gives_whatever_path_a_cell_takes) {
+BOOST_AUTO_TEST_CASE(contact_keeps_energy_on_any_closed_path_of_a_cell) {
     // A cell is led around the corner of two links, over their ends and through them, on closed paths. One of the
     // links is masked for it, or neither; the law must not tell inside from outside by that.
     for (const bool masked : {false, true}) {

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(without_contact_the_same_arms_pass) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_has_collided_comes_to_rest) {
+BOOST_AUTO_TEST_CASE(bodies_that_collided_with_themselves_come_to_rest) {
     // Contact itself neither damps nor gives energy: with the damping of settling all motion ends.
     for (const Body &body : {u_body(2), two_arms(2), u_body(3), two_arms(3)}) {
         const Environment environment = land();

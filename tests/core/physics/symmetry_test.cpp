@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(a_body_turned_by_quarter_turns_in_water_moves_turned_to_the
 BOOST_AUTO_TEST_CASE(a_mirrored_body_moves_mirrored) {
     // Over 200 steps, without self-contact: its sums have another order.
     Body body = lattice(7, 3);
-    for (std::size_t i = 0; i < body.positions.size(); ++i) // no two cells alike, no ties
+    for (std::size_t i = 0; i < body.positions.size(); ++i) // no two equal cells, no ties
         body.positions[i] +=
             Vec2d{math::sin(static_cast<double>(i)), math::cos(2.0 * static_cast<double>(i))} * 0.05;
     std::vector<Vec2d> reflection = body.positions;

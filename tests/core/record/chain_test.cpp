@@ -72,7 +72,7 @@ std::string joined(const std::vector<std::string> &lines) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(an_untouched_run_is_as_its_chain_says) {
+BOOST_AUTO_TEST_CASE(an_unchanged_run_agrees_with_its_chain) {
     const Recorded run;
     const auto chain = read_chain(run.place);
     BOOST_REQUIRE(chain.size() == 4u);

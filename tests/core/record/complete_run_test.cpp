@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(states_stay_of_generations_25_50_and_every_100_and_of_the_l
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_was_left_beside_complete_results_is_removed) {
+BOOST_AUTO_TEST_CASE(leftovers_beside_complete_results_are_removed) {
     const TemporaryFolder folder;
     const std::filesystem::path place = write_with_leftovers(folder);
     tidy_complete_run(place);
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_not_complete_or_becomes_longer_is_not_tidied)
     }
 }
 
-BOOST_AUTO_TEST_CASE(of_a_run_that_became_longer_the_last_state_of_before_is_removed) {
+BOOST_AUTO_TEST_CASE(a_run_that_became_longer_loses_its_earlier_last_state) {
     const TemporaryFolder folder;
     quick::write(folder / "run", quick::spec("novelty", 3));
     BOOST_TEST((kept_generations(folder / "run") == std::vector{2}));

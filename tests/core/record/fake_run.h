@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs made by hand: generations with whatever lives a test wants, recorded as a real run would be.
+// Runs made by hand: generations with the lives that a test states, recorded as a real run would be.
 #pragma once
 
 #include "core/tables/fake_generations.h"

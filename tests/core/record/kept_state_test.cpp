@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_kept_state_reads_back_whole) {
     BOOST_TEST(back.mark_of("generations.csv").length == 12);
     BOOST_TEST(back.mark_of("champions.csv").sha256 == "def");
     BOOST_TEST(message_of<InputError>([&] { back.mark_of("species.csv"); }) ==
-               "it knows nothing of species.csv");
+               "it has no mark of species.csv");
     BOOST_TEST(back.tables.size() == 2u);
     BOOST_TEST(back.link == kept.link);
     BOOST_TEST(back.archive == 3);
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(a_whole_file_with_invalid_content_is_refused_by_name) {
         const std::string said = message_of<InputError>([&] { read_state(folder / "checkpoint"); });
         BOOST_TEST(contains(said, (folder / "checkpoint").string() + ": saved state, byte "), said);
     };
-    // A whole content but for one thing.
+    // A complete content except for one thing.
     struct Content {
         std::string group = "run";
         std::int64_t generation = 2, archive = 3;

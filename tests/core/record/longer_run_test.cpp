@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The same run with so many generations from the beginning.
+/// The same run, started with this number of generations.
 std::map<std::string, std::string> at_once(const std::string &search, int generations) {
     const TemporaryFolder folder;
     quick::write(folder / "run", quick::spec(search, generations));
@@ -35,7 +35,7 @@ void kill_before_publishing(const fs::path &folder, const Spec &spec) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_run_that_becomes_longer_is_as_if_it_had_been_so_at_once) {
+BOOST_AUTO_TEST_CASE(a_run_that_becomes_longer_equals_one_started_at_that_length) {
     for (const std::string search : {"neat", "novelty"}) {
         const TemporaryFolder folder;
         for (const int generations : {1, 3, 7}) {
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_shorter_run_than_there_is_changes_nothing) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_run_on_its_way_to_more_generations_is_complete_with_fewer_all_the_time) {
+BOOST_AUTO_TEST_CASE(a_run_that_is_becoming_longer_is_complete_with_its_earlier_length) {
     for (const std::string search : {"neat", "novelty"}) {
         const auto whole = at_once(search, 7);
         for (const End end : {End::stopped, End::killed})
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_run_on_its_way_to_more_generations_is_complete_with_fewer
     }
 }
 
-BOOST_AUTO_TEST_CASE(asking_for_what_is_complete_does_not_end_the_way_to_more) {
+BOOST_AUTO_TEST_CASE(asking_for_complete_generations_does_not_shorten_an_unfinished_run) {
     const auto whole = at_once("novelty", 7);
     for (const End end : {End::stopped, End::killed})
         for (const int evaluations : {2 * population, 4 * population + 1}) {

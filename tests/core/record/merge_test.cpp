@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_not_there_yet_is_copied_whole) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(of_two_lengths_of_a_run_the_longer_stays) {
+BOOST_AUTO_TEST_CASE(a_merge_keeps_the_longer_of_two_lengths_of_a_run) {
     const TemporaryFolder folder;
     const auto shorter = run_in(folder, "a"), longer = run_in(folder, "b"), into = run_in(folder, "all");
     quick::write(shorter, quick::spec("novelty", 3));
@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_source_is_refused_and_the_target_stays) {
         BOOST_TEST(!fs::exists(nowhere));
         write_bytes(from / file, whole);
     }
-    // The same, under way: what its newest checkpoint speaks of must be there.
+    // The same, under way: the tables of its newest checkpoint must be there.
     quick::run_on(from, quick::spec("novelty", 9), 3 * quick::population);
     for (const char *file : {"generations.csv.part", "archive.csv.gz.part", "chain.csv.part"}) {
         const std::string whole = read_bytes(from / file);
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_in_use_on_either_side_is_refused) {
     BOOST_TEST((merge_run(from, into) == Merged::longer));
 }
 
-BOOST_AUTO_TEST_CASE(where_no_run_has_begun_there_is_nothing_to_gather) {
+BOOST_AUTO_TEST_CASE(folders_without_a_run_give_nothing_to_merge) {
     const TemporaryFolder folder;
     const auto from = run_in(folder, "a"), into = run_in(folder, "all");
     make_folder(from);

@@ -16,7 +16,7 @@ namespace planula::quick {
 inline constexpr std::uint64_t seed = 6;
 inline constexpr int population = 6;
 
-/// Embryos of a few steps, judged by what their network made of them.
+/// Embryos of a few steps, judged by the body that they became.
 inline Spec spec(const std::string &search = "novelty", int generations = 5) {
     Spec spec = fake_spec("quick", generations, population, search);
     spec.environment = specimens::water();
@@ -32,7 +32,8 @@ inline Spec spec(const std::string &search = "novelty", int generations = 5) {
 /// How a process ends that does not come to the run's end.
 enum class End { stopped, killed };
 
-/// Runs as a process does: for so many further evaluations, and to the end without a number; whether it came there.
+/// Runs as a process does: for this many further evaluations, or to the end without a number. Whether it reached the
+/// end.
 inline bool run_on(const std::filesystem::path &folder, const Spec &asked, int evaluations = -1,
                    End end = End::stopped, int interval = 2) {
     RunWriter writer(folder, asked, seed, fake_sources(), interval);

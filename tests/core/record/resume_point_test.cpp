@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(a_state_of_another_run_is_refused) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(what_the_judge_remembers_comes_back) {
+BOOST_AUTO_TEST_CASE(the_state_of_the_judge_is_loaded) {
     const TemporaryFolder folder;
     {
         RunWriter writer(folder / "run", quick::spec(), quick::seed, fake_sources(), 2);
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_further_than_asked_for_takes_one_generation_t
     BOOST_TEST((contents(folder / "run") == contents(folder / "at_once")));
 }
 
-BOOST_AUTO_TEST_CASE(a_run_that_ends_earlier_than_it_began_to_is_as_if_it_had_been_so_asked) {
+BOOST_AUTO_TEST_CASE(an_unfinished_run_asked_for_fewer_generations_equals_one_of_that_length) {
     const TemporaryFolder folder;
     quick::write(folder / "at_once", quick::spec("neat", 5));
     run_on(folder / "run", quick::spec("neat", 9), 4 * population);

@@ -40,7 +40,7 @@ const std::string advice = "\n  Give another --out, or move the folder away.";
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_folder_knows_its_run_from_the_first_moment) {
+BOOST_AUTO_TEST_CASE(a_folder_has_the_identity_of_its_run_from_the_beginning) {
     const TemporaryFolder folder;
     Spec spec = fake_spec("osc", 3, 4);
     spec.parameters.land.gravity = 1.0 / 3;

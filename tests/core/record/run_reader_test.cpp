@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(a_setting_without_a_folder_has_no_runs) {
     BOOST_TEST(found.left_out.empty());
 }
 
-BOOST_AUTO_TEST_CASE(what_is_not_one_of_the_runs_is_left_out_with_the_reason) {
+BOOST_AUTO_TEST_CASE(a_folder_that_holds_no_run_of_the_setting_is_left_out_with_the_reason) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 5, 3);
     const auto left_out = [&](const std::string &place, const std::string &reason) {
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_record_is_refused_and_not_left_out) {
         contains(message_of<InputError>([&] { found_in(folder, spec); }), "the seed is not a whole number"));
 }
 
-BOOST_AUTO_TEST_CASE(an_untouched_run_is_as_its_manifest_says) {
+BOOST_AUTO_TEST_CASE(an_unchanged_run_agrees_with_its_manifest) {
     const TemporaryFolder folder;
     const Spec spec = fake_spec("osc", 2, 3, "novelty");
     write_fake_run(folder.path(), spec, 1, life);

@@ -16,7 +16,7 @@ BOOST_AUTO_TEST_CASE(the_hypergeometric_tail_is_that_of_r) {
     BOOST_TEST(hypergeometric_tail(3, 40, 20, 5) == 0.5, tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(what_must_happen_has_probability_one_and_what_cannot_zero) {
+BOOST_AUTO_TEST_CASE(certain_counts_have_probability_one_and_impossible_ones_zero) {
     BOOST_TEST(hypergeometric_tail(0, 10, 4, 3) == 1, tolerance(1e-12));
     BOOST_TEST(hypergeometric_tail(4, 10, 3, 5) == 0);
     BOOST_TEST(hypergeometric_tail(3, 10, 10, 3) == 1, tolerance(1e-12));

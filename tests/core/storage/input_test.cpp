@@ -44,9 +44,9 @@ BOOST_AUTO_TEST_CASE(a_file_below_a_file_is_as_one_that_is_not_there) {
     BOOST_TEST(contains(refusal(folder / "file/table.csv"), "Not a directory"));
 }
 
-BOOST_AUTO_TEST_CASE(what_may_not_be_read_now_may_be_read_another_time) {
+BOOST_AUTO_TEST_CASE(a_file_that_may_not_be_read_is_an_io_error) {
     const TemporaryFolder folder;
-    // Links in a circle are refused whoever asks; a file without permission only if the tests are not root's.
+    // Links in a circle are refused for every user; a file without permission only if the tests do not run as root.
     std::filesystem::create_symlink(folder / "circle", folder / "circle");
     BOOST_TEST(contains(message_of<IoError>([&] { content_sha256(folder / "circle"); }),
                         "cannot open " + (folder / "circle").string() + ": "));
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(what_may_not_be_read_now_may_be_read_another_time) {
         contains(message_of<IoError>([&] { content_sha256(folder / "secret"); }), "Permission denied"));
 }
 
-BOOST_AUTO_TEST_CASE(a_file_is_read_whole_whatever_its_size) {
+BOOST_AUTO_TEST_CASE(files_of_any_size_are_read_whole) {
     const TemporaryFolder folder;
     for (const std::size_t size : {0, 1, 65'535, 65'536, 65'537, 300'000}) {
         std::string text(size, 'a');

@@ -11,7 +11,7 @@
 using namespace planula;
 using From = JournalStart::From;
 
-BOOST_AUTO_TEST_CASE(a_journal_that_resumes_forgets_what_came_after_its_mark) {
+BOOST_AUTO_TEST_CASE(a_journal_that_resumes_drops_the_rows_after_its_mark) {
     const TemporaryFolder folder;
     for (const std::string name : {"table.csv", "table.csv.gz"}) {
         const std::filesystem::path target = folder / name;

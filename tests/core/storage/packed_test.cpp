@@ -43,21 +43,21 @@ constexpr std::size_t around = 64; // at most, beside the content
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(whatever_is_packed_comes_back) {
+BOOST_AUTO_TEST_CASE(packed_bytes_unpack_to_the_same_bytes) {
     for (const std::string &content :
          {std::string(), std::string("a"), std::string(1000, '\0'), std::string(100'000, 'x'), noise(5000),
           digits(5000), digits(200'000), std::string("text\0with\nall", 13)})
         BOOST_TEST((unpack(pack(content)) == content));
 }
 
-BOOST_AUTO_TEST_CASE(what_shrinks_is_shorter_and_what_does_not_is_hardly_longer) {
+BOOST_AUTO_TEST_CASE(compressible_bytes_become_shorter_and_others_hardly_longer) {
     BOOST_TEST(pack(digits(5000)).size() < 3000u);
     BOOST_TEST(pack(noise(5000)).size() <= 5000 + around);
     BOOST_TEST(pack("").size() <= around);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_packed_is_more_than_16_times_as_long) {
-    // What would shrink further is stored as it is.
+    // Content that would shrink further is stored without packing.
     for (const std::size_t size : {100u, 1000u, 10'000u, 100'000u, 1'000'000u}) {
         const std::string content(size, 'x');
         BOOST_TEST(pack(content).size() * 16 >= size);
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(packed_bytes_that_were_cut_or_changed_are_refused_or_mean_t
             BOOST_TEST(!unpacked(whole.substr(0, length)), length);
         BOOST_TEST(!unpacked(whole + '\0'));
     }
-    // Only the bytes of what is stored as it is may change unseen: the seal is there for these.
+    // Only changes in bytes that are stored without packing are not noticed here; the seal finds them.
     const std::string content = digits(1000), whole = pack(content);
     for (std::size_t bit = 0; bit < whole.size() * 8; ++bit) {
         std::string flipped = whole;

@@ -12,7 +12,7 @@
 
 namespace planula {
 
-/// An empty folder that goes with the test.
+/// An empty folder that is removed after the test.
 class TemporaryFolder {
   public:
     TemporaryFolder() {

@@ -26,7 +26,7 @@ void write(const std::filesystem::path &path, std::size_t length) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(an_archive_comes_back_whatever_the_length_of_its_descriptors) {
+BOOST_AUTO_TEST_CASE(archives_with_descriptors_of_any_length_read_back_equal) {
     for (const std::size_t length : {0, 1, 2, 3, 5}) {
         const TemporaryFolder folder;
         write(folder / "archive.csv.gz", length);

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(numbers_come_back_with_the_same_bits) {
     }
 }
 
-BOOST_AUTO_TEST_CASE(texts_come_back_whatever_they_hold_in_one_line) {
+BOOST_AUTO_TEST_CASE(any_text_of_one_line_reads_back_equal) {
     const TemporaryFolder folder;
     const std::vector<std::string> texts{"plain", "a,b",      "say \"yes\"", "\"", ",",
                                          "",      " spaced ", "π·Δx",        "'",  "\t"};

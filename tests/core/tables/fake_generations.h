@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generations made by hand: whatever lives a test wants.
+// Generations made by hand, with the lives that a test states.
 #pragma once
 
 #include "base/state.h"
@@ -28,7 +28,7 @@ struct FakeLife {
 
 using Invent = std::function<FakeLife(int generation, int slot)>;
 
-/// A search that rewards nobody. That of a setting with an archive takes in the best of every generation.
+/// A search in which all scores are 0. That of a setting with an archive adds the best of every generation to it.
 struct FakeSearch : Search {
     bool has_archive = false;
     std::vector<ArchiveEntry> entries;

@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_tenth_of_the_mothers_fitness_is_near) {
     BOOST_TEST(row.near_mother.value() == 0.5);
 }
 
-BOOST_AUTO_TEST_CASE(every_value_is_finite_whatever_a_script_calls_fitness) {
+BOOST_AUTO_TEST_CASE(every_value_is_finite_for_any_fitness) {
     constexpr double least = std::numeric_limits<double>::denorm_min(),
                      most = std::numeric_limits<double>::max();
     const GenerationRow row = row_of({{least, most, 0, 5}, {least, most, 0, 5}, {most, most, 0, 5}});

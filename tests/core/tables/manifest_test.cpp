@@ -21,7 +21,7 @@ BOOST_AUTO_TEST_CASE(a_manifest_comes_back_in_its_order) {
     BOOST_TEST(!back.has("status"));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_manifest_lacks_is_named) {
+BOOST_AUTO_TEST_CASE(a_row_that_a_manifest_lacks_is_named) {
     const TemporaryFolder folder;
     write_bytes(folder / "manifest.csv", "key,value\nseed,three\n");
     const Manifest manifest(folder.path());

@@ -10,7 +10,7 @@ using boost::test_tools::tolerance;
 
 namespace {
 
-/// Calls check(generation) for a first generation of so many invented lives.
+/// Calls check(generation) for a first generation of this many invented lives.
 template <class Check>
 void observe(int population, const std::function<FakeLife(int slot)> &life, Check &&check) {
     FakeRun run(fake_spec("osc", 1, population), 1);
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(quartiles_are_of_the_valid_alone) {
     BOOST_TEST(between.fitness_high == 3.25);
 }
 
-BOOST_AUTO_TEST_CASE(without_anyone_valid_the_quartiles_are_zero) {
+BOOST_AUTO_TEST_CASE(without_valid_individuals_the_quartiles_are_zero) {
     const GenerationRow row = row_of(3, [](int) { return dead(); });
     BOOST_TEST(row.valid == 0);
     BOOST_TEST(row.fitness_low == 0);
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(headings_are_unit_vectors_of_all_that_moved) {
     BOOST_TEST(row.best_y == 8);
 }
 
-BOOST_AUTO_TEST_CASE(near_the_best_is_who_has_more_than_nine_tenths_of_its_fitness) {
+BOOST_AUTO_TEST_CASE(individuals_near_the_best_have_more_than_nine_tenths_of_its_fitness) {
     // Of 10 the bound is 9, which is not near; the dead one counts among all.
     constexpr double fitness[] = {10, 9.5, 9, 1};
     BOOST_TEST(row_of(5, [&](int slot) {
@@ -92,8 +92,8 @@ BOOST_AUTO_TEST_CASE(near_the_best_is_who_has_more_than_nine_tenths_of_its_fitne
 }
 
 BOOST_AUTO_TEST_CASE(a_gait_is_cyclic_if_way_and_signals_last_to_the_end) {
-    // The way is even, a quarter of it late. Slot 1 holds its muscles still in the end, slot 2 does not move, slot 3 has
-    // no fitness.
+    // The way is even, a quarter of it late. Slot 1 holds its muscles still in the end, slot 2 does not move, slot 3
+    // has no fitness.
     const GenerationRow row = row_of(6, [](int slot) {
         constexpr double late[] = {0.1, 0.09, 0.5, 0.5, 0.5, 0.5};
         FakeLife life = slot == 3 ? dead() : FakeLife{.moved = {slot == 2 ? 0.0 : 3.0, 0}};
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(sizes_count_those_with_fitness_by_ascending_size) {
 
 BOOST_AUTO_TEST_CASE(classes_of_fitness_are_hundredths_of_the_highest_and_exclude_their_upper_end) {
     BOOST_TEST((classes_of({200, 0, 1.9, 2, 3.9, 100, 199.9}) == Counts{{0, 2}, {1, 2}, {50, 1}, {99, 2}}));
-    // Whoever has exactly 100 % is in the last class.
+    // An individual with exactly 100 % is in the last class.
     BOOST_TEST((classes_of({7, 7, 7}) == Counts{{99, 3}}));
     BOOST_TEST((classes_of({1e-320, 0}) == Counts{{0, 1}, {99, 1}}));
     BOOST_TEST((classes_of({1e308, 1e308, 0}) == Counts{{0, 1}, {99, 2}}));

@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(modules_that_functions_require_are_loaded_before_any_call) 
     BOOST_TEST(!LuaState(plain, plain->script()).requires_in_functions());
 }
 
-BOOST_AUTO_TEST_CASE(a_table_knows_the_line_of_the_script_that_made_it) {
+BOOST_AUTO_TEST_CASE(a_table_has_the_line_of_the_script_that_made_it) {
     const auto sources = test::script("local p = require 'paper'\n"
                                       "local world =\n"
                                       "  p.aquatic { gravity = 0 }\n"

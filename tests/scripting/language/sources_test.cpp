@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(a_module_is_looked_for_beside_the_script_then_above_then_in
     BOOST_TEST(third.module("thing").text == "return { 1 }");
 }
 
-BOOST_AUTO_TEST_CASE(a_source_is_read_once_whatever_happens_to_the_file) {
+BOOST_AUTO_TEST_CASE(a_source_is_read_once_even_if_its_file_changes) {
     const test::Folder folder;
     folder.write("script.lua", "return {}");
     folder.write("part.lua", "return { 1 }");

@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(two_dashes_end_the_options) {
     BOOST_TEST(parsed({"-"}).operands == std::vector<std::string>{"-"});
 }
 
-BOOST_AUTO_TEST_CASE(what_is_wrong_is_named_with_the_nearest_option) {
+BOOST_AUTO_TEST_CASE(errors_of_a_command_line_name_the_nearest_option) {
     BOOST_TEST(test::contains(refused({"f", "--sees", "1"}), "has no option --sees; did you mean --seeds?"));
     BOOST_TEST(test::contains(refused({"f", "--nothing-like-it"}), "has no option --nothing-like-it\n"));
     BOOST_TEST(test::contains(refused({"f", "--seeds"}), "--seeds needs a value: --seeds A:B"));

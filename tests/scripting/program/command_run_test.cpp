@@ -86,7 +86,7 @@ struct Identities : Workplace {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(what_does_not_affect_results_does_not_change_the_identity) {
+BOOST_AUTO_TEST_CASE(changes_without_effect_on_results_keep_the_identity) {
     const Identities place;
     const auto before = all_files(place.runs());
     const std::string setting = "{ name = 'small', title";
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(the_name_and_folder_of_the_script_do_not_matter) {
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(what_affects_results_makes_another_run_which_is_refused_by_name) {
+BOOST_AUTO_TEST_CASE(changes_with_effect_on_results_make_another_run_which_is_refused_by_name) {
     const Identities place;
     const auto before = all_files(place.runs());
     const auto function = [](const std::string &name, int line) {
@@ -410,7 +410,7 @@ BOOST_AUTO_TEST_CASE(a_complete_run_that_was_killed_while_continued_resumes) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "30"}).code == 0);
     const auto shorter = all_files(place.runs());
-    // Without checkpoints, so that the newest state is one that is kept for good.
+    // Without checkpoints, so that the newest state is one that is kept permanently.
     const pid_t child =
         start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations", "100000",
                                     "--checkpoint", "1000000", "--out", place.runs()});
@@ -453,7 +453,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_state_is_ignored_and_does_not_stop_later_processe
     BOOST_TEST((all_files(place.runs()) == before));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_process_left_that_was_killed_at_the_end_of_a_run_is_removed) {
+BOOST_AUTO_TEST_CASE(leftovers_of_a_process_killed_at_the_end_of_a_run_are_removed) {
     const Workplace place;
     BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "5"}).code == 0);
     const auto before = all_files(place.runs());

@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(the_rewritten_line_includes_all_runs_and_levels) {
     BOOST_TEST(test::contains(out.str(), " left (all levels: "), out.str());
 }
 
-BOOST_AUTO_TEST_CASE(a_log_is_not_flooded) {
+BOOST_AUTO_TEST_CASE(a_log_gets_few_lines_of_progress) {
     std::ostringstream out;
     Progress progress(out, false, 1000000);
     for (int i = 0; i < 1000; ++i) progress.generation("a seed 1", i, 1000, 1, 1);

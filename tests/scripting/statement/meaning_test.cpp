@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(quotes_and_separators_before_a_brace_do_not_count) {
                fitness("function() local x x = 'pi' return 1 end", "local pi"));
 }
 
-BOOST_AUTO_TEST_CASE(what_a_function_computes_counts) {
+BOOST_AUTO_TEST_CASE(the_meaning_depends_on_the_words_of_the_function) {
     check_all_differ({
         fitness(distance),
         fitness("function(life, parameters, p) return (life.finish.x - life.rest.x) * 3 * p end"),
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(what_a_function_computes_counts) {
     });
 }
 
-BOOST_AUTO_TEST_CASE(what_a_function_closes_over_counts) {
+BOOST_AUTO_TEST_CASE(the_meaning_depends_on_the_values_that_a_function_closes_over) {
     const auto with = [](const std::string &before) {
         return fitness("function() return k and 1 or 2 end", before);
     };
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(cycles_end_and_sharing_counts) {
                64u);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_too_large_or_has_no_order_is_refused_with_its_place) {
+BOOST_AUTO_TEST_CASE(values_too_large_or_without_an_order_are_refused_with_their_place) {
     const std::string f = "function(life)\nreturn #k end";
     const std::string many = refused("local k = {} for i = 1, 200000 do k[i] = i end", f);
     BOOST_TEST(test::contains(many, "test.lua:3: fitness closes over more than 200000 values"), many);

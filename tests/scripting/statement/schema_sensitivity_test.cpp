@@ -21,7 +21,7 @@ std::string refused(const std::string &table) {
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(what_is_not_stated_is_standard) {
+BOOST_AUTO_TEST_CASE(keys_that_are_not_stated_have_standard_values) {
     const SensitivityPlan none = plan_of(""), empty = plan_of(", sensitivity = {}");
     for (const SensitivityPlan &plan : {none, empty}) {
         BOOST_TEST(plan.sample == 200);
@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(sample_factors_and_parameters_are_as_stated) {
     BOOST_TEST((plan.parameters == std::vector<std::string>{"gravity", "friction"}));
 }
 
-BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused_with_the_rule_and_the_nearest_name) {
+BOOST_AUTO_TEST_CASE(invalid_plans_are_refused_with_the_rule_and_the_nearest_name) {
     const auto says = [](const std::string &table, const std::string &part) {
         const std::string said = refused(table);
         BOOST_TEST(test::contains(said, "test.lua:1: "), said);

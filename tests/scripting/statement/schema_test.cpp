@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_ground_function_is_called_from_end_to_end_only) {
     BOOST_TEST(places("from = -10, to = 10, step = 15") == (std::vector<double>{-10, 5, 10}));
     BOOST_TEST(places("from = -10, to = 10, step = 50") == (std::vector<double>{-10, 10}));
     BOOST_TEST(places("from = -10, to = 10, step = 0.75").back() == 10);
-    // Steps that do not add up to the end but for rounding.
+    // Steps whose sum differs from the end by rounding.
     for (const int points : {4, 11, 50, 1000, 3000}) {
         const auto xs = places("from = -1, to = 1, step = 2 / " + std::to_string(points - 1));
         BOOST_TEST(xs.size() == static_cast<std::size_t>(points));
