@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: MIT
--- Descriptors beside the paper's: what two animats are compared by. Each number is scaled so that a difference of 1
--- matters, which is one niche of map-elites and twice the novelty that first enters an archive.
+-- Descriptors besides the paper's: the numbers by which two animats are compared. Each number is scaled so that a
+-- difference of 1 matters, which is one niche of map-elites and twice the novelty that first enters an archive.
 local descriptors = {}
 
 local cells_per_niche = 16
 local directions = 16
 
--- Size and direction: the cells, and where the journey led, in sixteenths of a turn from 0 (to the right), upwards
+-- Size and direction: the cells, and the direction of the path, in sixteenths of a turn from 0 (to the right), upwards
 -- first. The last sixteenth and the first are neighbours on the circle, but not in the map.
 function descriptors.size_and_direction(life)
   local dx = life.finish.x - life.rest.x
@@ -23,7 +23,7 @@ local longest = 8 -- times as long as wide; a body without width counts as this
 -- a chain to nearly 3 in a disc).
 function descriptors.shape(life)
   local elongation = life.elongation > 0 and math.min(life.elongation, longest) or longest
-  return { life.cells / cells_per_niche, elongation, 4 * life.links / math.max(life.cells, 1) }
+  return { life.cells / cells_per_niche, elongation, 4 * life.springs / math.max(life.cells, 1) }
 end
 
 return descriptors

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- The paper's two searches beside those that its readers ask for, with oscillators in both worlds and at equal
--- evaluations. Each search is judged by the same fitness; what a descriptor is for differs, so map-elites and local
--- competition have one that suits them.
+-- The paper's two searches beside three others, with oscillators in both worlds and at equal numbers of evaluations. Each
+-- search is judged by the same fitness. Searches use descriptors for different purposes, so map-elites and local competition
+-- have one that suits them.
 local paper = require "paper"
 local descriptors = require "descriptors"
 

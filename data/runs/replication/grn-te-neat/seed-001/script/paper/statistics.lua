@@ -3,15 +3,15 @@
 -- parts are split: S4a and S4b are both the paper's. `paper` is its own evidence; generations count from 1. The
 -- tests are described in core/analysis/analysis.h, their arithmetic is core/statistics.
 --
--- A test is two-tailed where the paper's is. A claim of no difference states with `bound` what is as good as none, and is
+-- A test is two-tailed where the paper's is. A claim of no difference states with `bound` which difference is negligible, and is
 -- reproduced only if a test shows that the difference is smaller; decision 0015 has the error rates of all tests.
 --
--- What the paper shows by pictures alone is tested by a number where there is one that says the same; S14 (how the best
--- bodies look) has none, so it stays with Figs. 3-5.
+-- What the paper shows only by pictures is tested by a number where a number says the same. There is none for S14 (how the
+-- best bodies look), which is left to Figs. 3-5.
 local summary = require "paper.summary"
 
--- §3.1: a gait is cyclic if in its last quarter there still are this share of the way and this share of all that
--- the muscles do; of an even gait there is 0.25 of both.
+-- §3.1: a gait is cyclic if its last quarter has at least this share of the path and this share of all changes of the muscle
+-- signals; an even gait has 0.25 of both.
 local late_share = 0.1
 
 -- S7 is reproduced if its number of runs shows that fewer than this share of all runs would lack a cyclic gait: of 20 runs
@@ -135,8 +135,8 @@ return planula.fill({
       bound = without_gait,
     },
 
-    -- §3.1: whose the best runs are. The best three of 40 runs are one side's by chance too often to decide: S9 stays
-    -- inconclusive whatever is found, S10 nearly so; the table says why.
+    -- §3.1: which search the best runs belong to. By chance the best three of 40 runs too often belong to one search: S9
+    -- stays inconclusive whatever is found, S10 nearly so; the table says why.
     {
       id = "S8", statement = "Swimmers with oscillators: the five best runs are novelty search's",
       section = "§3.1", paper = "5 of 5", test = "top_runs", a = "osc-aq-ns", b = "osc-aq-neat", count = 5,

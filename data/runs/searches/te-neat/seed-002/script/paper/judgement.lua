@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- How a finished life is judged (§2.7): the only home of Eqs. (4) and (6) and of the descriptor. A life is
--- {outcome, cells, largest, births, links, triangles, elongation, settle_steps, late_actuation, rest = {x, y},
+-- {outcome, cells, largest, births, springs, triangles, elongation, settle_steps, late_actuation, rest = {x, y},
 -- finish = {x, y}, activity, displacement, path = {{x, y}, …}}; parameters are those of the setting.
 
 -- Eq. (6): p. Every outcome but "viable" is one of its zeros: no cell left, fewer than minimum_cells,
