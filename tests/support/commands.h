@@ -121,8 +121,11 @@ inline int end_of(pid_t child) {
 
 /// Waits, for a minute at most, until something holds.
 inline bool wait_until(const std::function<bool()> &holds) {
-    for (int i = 0; i < 60000 && !holds(); ++i) usleep(1000);
-    return holds();
+    for (int i = 0; i < 60000; ++i) {
+        if (holds()) return true; // it need not hold a moment later: a checkpoint is replaced by the next
+        usleep(1000);
+    }
+    return false;
 }
 
 /// Waits until a process has made a file, or a minute has passed; then kills it by this signal.
