@@ -13,6 +13,8 @@ export LC_ALL=C
 source "$here/files.sh"
 
 mapfile -t all < <(files)
+shopt -s nullglob
+runs=(data/runs/*/*) # recorded runs, which are not read but may be named
 code=() pages=()
 for file in "${all[@]}"; do
     case $file in
@@ -23,4 +25,4 @@ for file in "${all[@]}"; do
     esac
 done
 ((${#pages[@]})) || { echo "documents: no page found in $PWD" >&2; exit 2; }
-awk -f "$here/documents.awk" part=files <(printf '%s\n' "${all[@]}") part=code "${code[@]}" part=pages "${pages[@]}"
+awk -f "$here/documents.awk" part=files <(printf '%s\n' "${all[@]}" "${runs[@]}") part=code "${code[@]}" part=pages "${pages[@]}"
