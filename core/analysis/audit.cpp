@@ -8,6 +8,7 @@
 #include "base/state.h"
 #include "base/text.h"
 #include "experiment/run_state.h"
+#include "parameters/parameters.h"
 #include "record/chain.h"
 #include "record/kept_state.h"
 
@@ -39,7 +40,9 @@ void check_numbers(const RecordedRun &run) {
         throw InputError((run.folder / ManifestRow::file_name).string() + ": the row '" + key +
                          "' does not agree with the run");
     };
-    const std::string population = run.identity.item("parameter population").value;
+    const ParameterRow &row = parameter_row("population");
+    const std::string population =
+        run.identity.item("parameter population", value_text(row, row.standard)).value;
     if (population != to_text(static_cast<double>(run.population))) refuse("population");
     if (run.manifest.number("evaluations") != std::int64_t{run.generations} * run.population)
         refuse("evaluations");

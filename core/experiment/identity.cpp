@@ -18,14 +18,6 @@ constexpr std::size_t shown_digits = 12; // of a hash in a message
 
 bool is_hash(std::string_view key) { return key == "model" || key.starts_with(function_key); }
 
-/// The standard value that a parameter's key has now, as text; empty if there is no such parameter.
-std::string standard_of(std::string_view key) {
-    if (!key.starts_with(parameter_key)) return "";
-    for (const ParameterRow &row : parameter_rows())
-        if (row.name == key.substr(parameter_key.size())) return value_text(row, row.standard);
-    return "";
-}
-
 std::string ground_text(const Environment &environment) {
     if (!environment.has_ground) return "none";
     if (environment.ground.empty()) return "flat";
@@ -35,11 +27,12 @@ std::string ground_text(const Environment &environment) {
 }
 
 void add_environment(const Spec &spec, Identity &identity) {
-    const auto add = [&](std::string_view name, const std::string &value) {
-        identity.items.push_back({"environment " + std::string(name), value, "", ""});
+    const auto add = [&](std::string_view name, const std::string &value, const std::string &standard = "") {
+        if (value != standard)
+            identity.items.push_back({"environment " + std::string(name), value, "", standard});
     };
     for (const WorldNumber &number : world_numbers()) {
-        add(number.name, to_text(value_of(number, spec)));
+        add(number.name, to_text(value_of(number, spec)), number.absent ? to_text(*number.absent) : "");
         if (&number == &world_numbers().front()) add("ground", ground_text(spec.environment));
     }
 }
@@ -64,11 +57,10 @@ const std::string *Identity::find(std::string_view key) const {
     return nullptr;
 }
 
-IdentityItem Identity::item(const std::string &key) const {
+IdentityItem Identity::item(const std::string &key, const std::string &standard) const {
     for (const IdentityItem &item : items)
         if (item.key == key) return item;
-    const std::string standard = standard_of(key);
-    return {key, standard.empty() ? "nothing" : standard, "nowhere"};
+    return {key, standard.empty() ? "nothing" : standard, "nowhere", standard};
 }
 
 std::string Identity::sha256() const {
@@ -105,9 +97,9 @@ std::vector<std::string> differences(const Identity &recorded, const Identity &a
     const auto compare = [&](const IdentityItem &a, const IdentityItem &b) {
         if (a.value != b.value) found.push_back(difference(a, b));
     };
-    for (const IdentityItem &item : recorded.items) compare(item, asked.item(item.key));
+    for (const IdentityItem &item : recorded.items) compare(item, asked.item(item.key, item.standard));
     for (const IdentityItem &item : asked.items)
-        if (!recorded.find(item.key)) compare(recorded.item(item.key), item);
+        if (!recorded.find(item.key)) compare(recorded.item(item.key, item.standard), item);
     return found;
 }
 

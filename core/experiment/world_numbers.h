@@ -6,6 +6,7 @@
 
 #include "experiment/spec.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,6 +17,8 @@ struct WorldNumber {
     double &(*in)(Conditions &conditions);
     /// The parameter of the paper's worlds; empty if they have no such number.
     std::string_view (*standard)(const Environment &environment);
+    /// Of a number that not every run records: the value that counts where it is not recorded, and that is not recorded.
+    std::optional<double> absent = std::nullopt;
 };
 
 /// Gravity first.

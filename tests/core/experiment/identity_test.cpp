@@ -3,6 +3,7 @@
 
 #include "experiment/deciding.h"
 #include "experiment/revision.h"
+#include "experiment/world_numbers.h"
 #include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
@@ -161,6 +162,45 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_the_record_does_not_know_had_its_standard_
     BOOST_TEST(newer.sha256() != whole.sha256());
     BOOST_TEST((differences(newer, whole) ==
                 std::vector<std::string>{"parameter lift: recorded with 0.5, asked for with nothing"}));
+}
+
+BOOST_AUTO_TEST_CASE(
+    a_part_of_the_environment_that_the_record_does_not_know_had_what_worlds_without_it_have) {
+    const Identity older = identity_of(setting(), seed);
+    const auto with = [&](const std::string &key, const std::string &value, const std::string &standard) {
+        Identity newer = older;
+        newer.items.insert(newer.items.begin() + 8, {key, value, "", standard});
+        return newer;
+    };
+    for (const auto &[key, standard] : {std::pair{"environment lift", "0"}, {"environment walls", "none"}}) {
+        const Identity without = with(key, standard, standard), stated = with(key, "0.5", standard);
+        BOOST_TEST(without.sha256() == older.sha256(), key);
+        BOOST_TEST(differences(older, without).empty(), key);
+        BOOST_TEST(differences(without, older).empty(), key);
+        BOOST_TEST(stated.sha256() != older.sha256(), key);
+        const std::string named = key;
+        BOOST_TEST(
+            (differences(older, stated) ==
+             std::vector<std::string>{named + ": recorded with " + standard + ", asked for with 0.5"}));
+        BOOST_TEST((differences(stated, older) ==
+                    std::vector<std::string>{named + ": recorded with 0.5, asked for with " + standard}));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_part_of_the_environment_is_recorded_if_every_run_has_it_or_it_is_stated) {
+    const Identity identity = identity_of(setting(), seed);
+    for (const WorldNumber &number : world_numbers()) {
+        const bool is_recorded = identity.find("environment " + std::string(number.name)) != nullptr;
+        BOOST_TEST(is_recorded == !(number.absent && *number.absent == value_of(number, setting())),
+                   number.name);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_hash_of_a_setting_is_the_one_that_runs_were_recorded_with) {
+    // What a later version adds to parameters and environments must not change it.
+    Identity identity = identity_of(setting(), seed);
+    identity.items.front().value = hash_b;
+    BOOST_TEST(identity.sha256() == "f3bc30d46e748417cee55a252790d5ad01f04c2fc89d2c9409ce8b45c62c71d7");
 }
 
 BOOST_AUTO_TEST_CASE(every_key_is_there_once_and_found) {
