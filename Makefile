@@ -99,6 +99,10 @@ keep-data: ## copy the tables in build/data and their runs, without those of rea
 	@rm -rf data/runs; mkdir -p data/runs; cp -r $(RUNS) data/runs/replication; cp -r $(OUT)/runs/searches data/runs/searches
 	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables and their runs copied from $(OUT); commit them with the design that made them'
 
+release: paper ## pack the committed sources, the data and the article with their checksums: build/release/, the same bytes for the same commit
+	@bash tests/support/packages.sh git xz-utils
+	@bash paper/release.sh $(OUT)/paper.pdf $(OUT)/release
+
 sensitivity: program ## halve and double every assumed value for evolved animats: build/data/sensitivity.csv
 	@$(PLANULA) run experiments/sensitivity.lua --out $(SENSITIVITY_RUNS)
 	@rm -rf $(OUT)/data.new
@@ -222,7 +226,7 @@ deps: ## install the packages to build and test
 deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify sensitivity searches readings readings-tables \
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity searches readings readings-tables \
         build program signature verify-signature torture test-cluster benchmarks power bench instructions lint architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
