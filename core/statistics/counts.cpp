@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "statistics/counts.h"
 
-#include "base/check.h"
+#include "statistics/demand.h"
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +9,9 @@
 namespace planula {
 
 double hypergeometric_tail(int marked, int total, int all_marked, int drawn) {
-    CHECK(drawn >= 0 && drawn <= total && all_marked >= 0 && all_marked <= total, total, all_marked, drawn);
+    demand(total >= 0, "the total is at least 0", total);
+    demand(drawn >= 0 && drawn <= total, "what is drawn is from 0 to the total", drawn);
+    demand(all_marked >= 0 && all_marked <= total, "what is marked is from 0 to the total", all_marked);
     // Drawn one by one: chance[j] is that of j marked ones so far.
     std::vector<double> chance(static_cast<std::size_t>(drawn) + 1);
     chance[0] = 1;
@@ -25,7 +27,8 @@ double hypergeometric_tail(int marked, int total, int all_marked, int drawn) {
 }
 
 double binomial_lower_tail(int found, int count, double probability) {
-    CHECK(count >= 0 && probability >= 0 && probability <= 1, count, probability);
+    demand(count >= 0, "the number of trials is at least 0", count);
+    demand(probability >= 0 && probability <= 1, "a probability is from 0 to 1", probability);
     // One trial after the other: chance[j] is that of j successes so far.
     std::vector<double> chance(static_cast<std::size_t>(count) + 1);
     chance[0] = 1;

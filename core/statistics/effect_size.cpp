@@ -23,4 +23,6 @@ double a12(std::span<const double> a, std::span<const double> b) {
     return wins / (static_cast<double>(a.size()) * static_cast<double>(b.size()));
 }
 
+double cliff_delta(std::span<const double> a, std::span<const double> b) { return 2 * a12(a, b) - 1; }
+
 } // namespace planula

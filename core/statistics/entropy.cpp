@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "statistics/entropy.h"
 
-#include "base/check.h"
 #include "base/math.h"
+#include "statistics/demand.h"
 
 #include <algorithm>
 #include <vector>
@@ -24,7 +24,7 @@ double entropy(std::span<const int> values) {
 double entropy_of_counts(std::span<const std::int64_t> counts) {
     std::int64_t total = 0;
     for (const std::int64_t count : counts) {
-        CHECK(count >= 0, count);
+        demand(count >= 0, "a count is at least 0", static_cast<double>(count));
         total += count;
     }
 

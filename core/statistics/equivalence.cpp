@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "statistics/equivalence.h"
 
-#include "base/check.h"
-#include "base/math.h"
+#include "statistics/demand.h"
+#include "statistics/distributions.h"
 #include "statistics/effect_size.h"
+#include "statistics/signed_rank.h"
 #include "statistics/summary.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace planula {
 
@@ -25,12 +27,10 @@ double placement_variance(std::span<const double> a, std::span<const double> b, 
     return squares / (m - 1) / m;
 }
 
-double below_normal(double z) { return 0.5 * math::erfc(-z / std::sqrt(2.0)); }
-
 } // namespace
 
 Equivalence equivalence(std::span<const double> a, std::span<const double> b, double bound) {
-    CHECK(bound > 0 && bound < 0.5, bound);
+    demand(bound > 0 && bound < 0.5, "the bound of an equivalence of A12 is between 0 and 0.5", bound);
     const double effect = a12(a, b);
     const double m = static_cast<double>(a.size()), n = static_cast<double>(b.size());
     const double even = std::sqrt((m + n + 1) / (12 * m * n));
@@ -40,7 +40,20 @@ Equivalence equivalence(std::span<const double> a, std::span<const double> b, do
 
     // The larger p of the two one-sided tests is that of the nearer end of the bound.
     const double room = bound - std::abs(effect - 0.5);
-    return {effect, deviation, below_normal(-room / deviation), below_normal(-bound / even)};
+    return {effect, deviation, normal_below(-room / deviation), normal_below(-bound / even)};
+}
+
+double paired_equivalence(std::span<const double> a, std::span<const double> b, double bound) {
+    demand(bound > 0 && std::isfinite(bound), "the bound of an equivalence of pairs is a number above 0",
+           bound);
+    check_pairs(a, b);
+    std::vector<double> from_low, from_high;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        from_low.push_back(a[i] - b[i] + bound);
+        from_high.push_back(a[i] - b[i] - bound);
+    }
+    const std::vector<double> zeros(a.size());
+    return std::max(signed_rank(from_low, zeros).greater, signed_rank(from_high, zeros).less);
 }
 
 } // namespace planula

@@ -20,4 +20,8 @@ struct Equivalence {
 /// `bound` lies in (0, 1/2). The samples (statistics/summary.h) are taken as independent.
 Equivalence equivalence(std::span<const double> a, std::span<const double> b, double bound);
 
+/// The same for pairs: the larger p of two one-sided signed-rank tests (statistics/signed_rank.h), that the typical
+/// difference a[i] - b[i] is above -bound and below bound, in the unit of the values; bound is above 0.
+double paired_equivalence(std::span<const double> a, std::span<const double> b, double bound);
+
 } // namespace planula

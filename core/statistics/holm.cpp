@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "statistics/holm.h"
 
-#include "base/check.h"
+#include "statistics/demand.h"
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,7 @@
 namespace planula {
 
 std::vector<double> holm(std::span<const double> p) {
-    for (const double value : p) CHECK(value >= 0 && value <= 1, value);
+    for (const double value : p) demand(value >= 0 && value <= 1, "a p-value is from 0 to 1", value);
     std::vector<std::size_t> order(p.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });

@@ -27,4 +27,9 @@ struct Permutation {
 Permutation permutation_test(std::span<const double> a, std::span<const double> b,
                              const Shuffling &shuffling);
 
+/// The same for pairs (Fisher 1935, §21): if the samples do not differ, each difference a[i] - b[i] is equally likely
+/// to have either sign. If there are at most `draws` ways to choose the signs, all are counted; else they are drawn.
+Permutation paired_permutation_test(std::span<const double> a, std::span<const double> b,
+                                    const Shuffling &shuffling);
+
 } // namespace planula

@@ -2,7 +2,7 @@
 #include "statistics/rank_sum.h"
 
 #include "base/math.h"
-#include "statistics/ranks.h"
+#include "statistics/distributions.h"
 #include "statistics/summary.h"
 
 #include <algorithm>
@@ -15,29 +15,6 @@ namespace planula {
 
 namespace {
 
-/// Ranks as whole numbers, ascending: doubled, since the mean rank of an even number of equal values ends in a half.
-std::vector<std::size_t> doubled_ranks(const Ranks &pooled) {
-    std::vector<std::size_t> doubled;
-    for (const double rank : pooled.of) doubled.push_back(static_cast<std::size_t>(2 * rank));
-    std::sort(doubled.begin(), doubled.end());
-    return doubled;
-}
-
-/// The number of ways to choose m of the ranks, by their sum: count[s] have sum s. All ways are equally likely if the
-/// two samples do not differ, whatever ties there are.
-std::vector<double> count_sums(const std::vector<std::size_t> &ranks, std::size_t m) {
-    const std::size_t largest =
-        std::accumulate(ranks.end() - static_cast<std::ptrdiff_t>(m), ranks.end(), std::size_t{0});
-    std::vector<std::vector<double>> ways(m + 1, std::vector<double>(largest + 1));
-    ways[0][0] = 1;
-    // One rank after the other is chosen or not; the i chosen are at most this one.
-    for (const std::size_t rank : ranks)
-        for (std::size_t i = m; i >= 1; --i)
-            for (std::size_t sum = std::min(i * rank, largest); sum >= rank; --sum)
-                ways[i][sum] += ways[i - 1][sum - rank];
-    return ways[m];
-}
-
 /// The probability of a sum at least as far from the middle as this one.
 double tail(const std::vector<double> &ways, double middle, double sum) {
     double beyond = 0, all = 0;
@@ -49,27 +26,27 @@ double tail(const std::vector<double> &ways, double middle, double sum) {
 }
 
 RankSum exact_test(const Ranks &pooled, std::size_t m, double sum_of_a, double statistic) {
-    const std::vector<std::size_t> doubled = doubled_ranks(pooled);
-    const std::vector<double> ways = count_sums(doubled, m);
-    const double middle = static_cast<double>(m * (doubled.size() + 1)); // twice the mean rank, m times
+    const std::vector<std::size_t> whole = doubled(pooled);
+    const std::vector<double> ways = ways_to_sum(whole, m);
+    const double middle = static_cast<double>(m * (whole.size() + 1)); // twice the mean rank, m times
     const auto smallest = static_cast<double>(
-        std::accumulate(doubled.begin(), doubled.begin() + static_cast<std::ptrdiff_t>(m), std::size_t{0}));
+        std::accumulate(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(m), std::size_t{0}));
     const auto largest = static_cast<double>(ways.size() - 1);
     const double farthest = middle - smallest > largest - middle ? smallest : largest;
     return {statistic, tail(ways, middle, 2 * sum_of_a), tail(ways, middle, farthest), true};
 }
 
-double normal_p(double statistic, double m, double n, double tie_cubes) {
+double normal_p(double statistic, double m, double n, double tie_cubes, double correction) {
     const double total = m + n;
     const double variance = m * n / 12 * (total + 1 - tie_cubes / (total * (total - 1)));
-    const double distance = std::abs(statistic - m * n / 2) - 0.5;
+    const double distance = std::abs(statistic - m * n / 2) - correction;
     if (!(variance > 0) || distance <= 0) return 1;
     return math::erfc(distance / std::sqrt(2 * variance));
 }
 
 } // namespace
 
-RankSum rank_sum(std::span<const double> a, std::span<const double> b, RankSumMethod method) {
+RankSum rank_sum(std::span<const double> a, std::span<const double> b, RankMethod method) {
     check_sample(a);
     check_sample(b);
     std::vector<double> pooled(a.begin(), a.end());
@@ -80,11 +57,10 @@ RankSum rank_sum(std::span<const double> a, std::span<const double> b, RankSumMe
         std::accumulate(pooled_ranks.of.begin(), pooled_ranks.of.begin() + std::ssize(a), 0.0);
     const double statistic = sum_of_a - m * (m + 1) / 2;
 
-    const bool small = a.size() < exact_below && b.size() < exact_below;
-    if (method == RankSumMethod::exact || (method == RankSumMethod::automatic && small))
-        return exact_test(pooled_ranks, a.size(), sum_of_a, statistic);
-    return {statistic, normal_p(statistic, m, n, pooled_ranks.tie_cubes),
-            normal_p(0, m, n, pooled_ranks.tie_cubes), false};
+    if (is_exact(method, a.size(), b.size())) return exact_test(pooled_ranks, a.size(), sum_of_a, statistic);
+    const double correction = method == RankMethod::normal_without_continuity ? 0 : 0.5;
+    return {statistic, normal_p(statistic, m, n, pooled_ranks.tie_cubes, correction),
+            normal_p(0, m, n, pooled_ranks.tie_cubes, correction), false};
 }
 
 } // namespace planula

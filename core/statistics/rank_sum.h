@@ -4,17 +4,11 @@
 // = "exact"): given the values, every way to share them out is equally likely. The samples are taken as independent.
 #pragma once
 
-#include <cstddef>
+#include "statistics/ranks.h"
+
 #include <span>
 
 namespace planula {
-
-enum class RankSumMethod {
-    automatic, // exact if both samples are smaller than `exact_below`, else normal
-    exact,
-    normal // normal approximation, corrected for ties and for continuity
-};
-inline constexpr std::size_t exact_below = 50; // as R's wilcox.test
 
 struct RankSum {
     double statistic; // pairs in which a exceeds b, ties counting half: R's W, Mann and Whitney's U
@@ -25,6 +19,6 @@ struct RankSum {
 
 /// Compares two samples (statistics/summary.h). If all values are equal, p is 1.
 RankSum rank_sum(std::span<const double> a, std::span<const double> b,
-                 RankSumMethod method = RankSumMethod::automatic);
+                 RankMethod method = RankMethod::automatic);
 
 } // namespace planula

@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "statistics/ranks.h"
 
+#include "statistics/demand.h"
 #include "statistics/summary.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace planula {
+
+bool is_exact(RankMethod method, std::size_t m, std::size_t n) {
+    const std::size_t larger = std::max(m, n);
+    if (method == RankMethod::exact)
+        demand(larger <= exact_most, "an exact rank test takes at most 100 values of a sample",
+               static_cast<double>(larger));
+    return method == RankMethod::exact || (method == RankMethod::automatic && larger < exact_below);
+}
+
+std::vector<std::size_t> doubled(const Ranks &ranks) {
+    std::vector<std::size_t> whole;
+    for (const double rank : ranks.of) whole.push_back(static_cast<std::size_t>(2 * rank));
+    std::sort(whole.begin(), whole.end());
+    return whole;
+}
 
 Ranks ranks(std::span<const double> sample) {
     check_sample(sample);

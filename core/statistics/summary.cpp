@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "statistics/summary.h"
 
-#include "base/check.h"
+#include "statistics/demand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,21 @@
 namespace planula {
 
 void check_sample(std::span<const double> sample) {
-    CHECK(!sample.empty());
-    for (const double value : sample) CHECK(std::isfinite(value), value);
+    if (sample.empty()) throw InputError("a sample has at least one value: this one is empty");
+    for (std::size_t i = 0; i < sample.size(); ++i)
+        if (!std::isfinite(sample[i]))
+            throw InputError("the values of a sample are finite numbers: value " +
+                             to_text(static_cast<std::int64_t>(i + 1)) + " of " +
+                             to_text(static_cast<std::int64_t>(sample.size())) + " is " + to_text(sample[i]));
+}
+
+void check_pairs(std::span<const double> a, std::span<const double> b) {
+    check_sample(a);
+    check_sample(b);
+    if (a.size() != b.size())
+        throw InputError("pairs need two samples of the same size: these have " +
+                         to_text(static_cast<std::int64_t>(a.size())) + " and " +
+                         to_text(static_cast<std::int64_t>(b.size())) + " values");
 }
 
 double mean(std::span<const double> sample) {
@@ -22,7 +35,8 @@ double mean(std::span<const double> sample) {
 
 double quantile(std::span<const double> sample, double probability) {
     check_sample(sample);
-    CHECK(probability >= 0 && probability <= 1, probability);
+    demand(probability >= 0 && probability <= 1, "a quantile is asked at a probability from 0 to 1",
+           probability);
 
     // The place among the sorted values, counted from 0, falls between `below` and the next.
     const double place = probability * static_cast<double>(sample.size() - 1);

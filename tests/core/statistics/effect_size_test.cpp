@@ -2,6 +2,7 @@
 #include "statistics/effect_size.h"
 
 #include "base/error.h"
+#include "core/statistics/reference.h"
 #include "statistics/rank_sum.h"
 
 #include <boost/test/unit_test.hpp>
@@ -25,6 +26,11 @@ BOOST_AUTO_TEST_CASE(a12_is_the_share_of_the_rank_sum_statistic) {
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_sample_is_refused) {
-    BOOST_CHECK_THROW(a12(std::vector<double>{}, std::vector<double>{1}), InternalError);
-    BOOST_CHECK_THROW(a12(std::vector<double>{1}, std::vector<double>{}), InternalError);
+    BOOST_CHECK_THROW(a12(std::vector<double>{}, std::vector<double>{1}), InputError);
+    BOOST_CHECK_THROW(a12(std::vector<double>{1}, std::vector<double>{}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(cliff_delta_is_that_of_r) {
+    for (const Reference &r : references_of("cliff_delta"))
+        BOOST_TEST(cliff_delta(r.a, r.b) == r.expected[0], boost::test_tools::tolerance(1e-12));
 }

@@ -33,6 +33,6 @@ BOOST_AUTO_TEST_CASE(the_order_and_the_sizes_themselves_do_not_matter) {
     BOOST_TEST(entropy_of_counts(std::vector<std::int64_t>{2, 1, 3, 1}) == H);
 }
 
-BOOST_AUTO_TEST_CASE(negative_counts_are_an_internal_error) {
-    BOOST_CHECK_THROW(entropy_of_counts(std::vector<std::int64_t>{3, -1}), InternalError);
+BOOST_AUTO_TEST_CASE(negative_counts_are_an_input_error) {
+    BOOST_CHECK_THROW(entropy_of_counts(std::vector<std::int64_t>{3, -1}), InputError);
 }

@@ -8,6 +8,7 @@
 #include "statistics/equivalence.h"
 
 #include "base/error.h"
+#include "core/statistics/reference.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -65,9 +66,15 @@ BOOST_AUTO_TEST_CASE(the_test_is_symmetric) {
     BOOST_TEST(one.effect + other.effect == 1, tt::tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(an_invalid_bound_or_sample_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(an_invalid_bound_or_sample_is_an_input_error) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const double bound : {0.0, 0.5, -0.1, nan})
-        BOOST_CHECK_THROW(equivalence(x, y, bound), InternalError);
-    BOOST_CHECK_THROW(equivalence(x, std::vector<double>{}, 0.2), InternalError);
+    for (const double bound : {0.0, 0.5, -0.1, nan}) BOOST_CHECK_THROW(equivalence(x, y, bound), InputError);
+    BOOST_CHECK_THROW(equivalence(x, std::vector<double>{}, 0.2), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(equivalence_of_pairs_is_that_of_r) {
+    for (const Reference &r : references_of("paired_equivalence"))
+        BOOST_TEST(paired_equivalence(r.a, r.b, r.expected[0]) == r.expected[1], tt::tolerance(1e-11));
+    BOOST_CHECK_THROW(paired_equivalence(x, y, 0), InputError);
+    BOOST_CHECK_THROW(paired_equivalence(x, std::vector<double>{1}, 1), InputError);
 }

@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(one_test_needs_no_correction_and_none_can_exceed_one) {
     BOOST_TEST(holm(std::vector<double>{}).empty());
 }
 
-BOOST_AUTO_TEST_CASE(a_value_outside_0_and_1_is_an_internal_error) {
+BOOST_AUTO_TEST_CASE(a_value_outside_0_and_1_is_an_input_error) {
     for (const double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()})
-        BOOST_CHECK_THROW(holm(std::vector<double>{0.5, bad}), InternalError);
+        BOOST_CHECK_THROW(holm(std::vector<double>{0.5, bad}), InputError);
 }

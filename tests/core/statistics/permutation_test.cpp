@@ -4,6 +4,7 @@
 #include "statistics/permutation.h"
 
 #include "base/error.h"
+#include "core/statistics/reference.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -71,7 +72,31 @@ BOOST_AUTO_TEST_CASE(a_far_difference_has_the_smallest_p) {
     BOOST_TEST(found.p == found.least);
 }
 
-BOOST_AUTO_TEST_CASE(an_invalid_sample_or_request_is_an_internal_error) {
-    BOOST_CHECK_THROW(permutation_test(x, std::vector<double>{}, usual), InternalError);
-    BOOST_CHECK_THROW(permutation_test(x, y, {0, 1, 0}), InternalError);
+BOOST_AUTO_TEST_CASE(an_invalid_sample_or_request_is_an_input_error) {
+    BOOST_CHECK_THROW(permutation_test(x, std::vector<double>{}, usual), InputError);
+    BOOST_CHECK_THROW(permutation_test(x, y, {0, 1, 0}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(signs_of_pairs_are_counted_as_in_r_or_drawn) {
+    for (const Reference &r : references_of("paired_permutation")) {
+        const Permutation found = paired_permutation_test(r.a, r.b, usual);
+        BOOST_TEST(found.exact == (r.kind == "exact"));
+        BOOST_TEST(found.difference == r.expected[0], tt::tolerance(1e-12));
+        // The standard deviation of a drawn p is at most 0.005.
+        if (found.exact)
+            BOOST_TEST(found.p == r.expected[1], tt::tolerance(1e-12));
+        else
+            BOOST_TEST(std::abs(found.p - r.expected[1]) < 0.015);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(few_pairs_cannot_be_significant_and_draws_repeat) {
+    const Permutation three = paired_permutation_test(std::vector<double>{1.1, 1.2, 1.3},
+                                                      std::vector<double>{0.1, 0.3, 0.2}, usual);
+    BOOST_TEST(three.p == 0.25);
+    BOOST_TEST(three.least == 0.25);
+    const auto p = [](std::uint32_t key) { return paired_permutation_test(x, y, {10000, 1, key}).p; };
+    BOOST_TEST(p(0) == p(0));
+    BOOST_TEST(p(0) != p(1));
+    BOOST_CHECK_THROW(paired_permutation_test(x, std::vector<double>{1}, usual), InputError);
 }

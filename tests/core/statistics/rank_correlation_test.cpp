@@ -3,6 +3,7 @@
 #include "statistics/rank_correlation.h"
 
 #include "base/error.h"
+#include "core/statistics/reference.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -54,7 +55,28 @@ BOOST_AUTO_TEST_CASE(equal_values_have_no_correlation) {
 
 BOOST_AUTO_TEST_CASE(invalid_pairs_of_samples_are_refused) {
     const std::vector<double> none, bad{1, std::numeric_limits<double>::quiet_NaN()}, two{1, 2};
-    BOOST_CHECK_THROW(rank_correlation(none, none), InternalError);
-    BOOST_CHECK_THROW(rank_correlation(two, bad), InternalError);
-    BOOST_CHECK_THROW(rank_correlation(two, x), InternalError);
+    BOOST_CHECK_THROW(rank_correlation(none, none), InputError);
+    BOOST_CHECK_THROW(rank_correlation(two, bad), InputError);
+    BOOST_CHECK_THROW(rank_correlation(two, x), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(p_of_a_correlation_is_that_of_r) {
+    for (const Reference &r : references_of("rank_correlation")) {
+        const RankCorrelation found = rank_correlation_test(r.a, r.b).value();
+        BOOST_TEST_CONTEXT(r.a.size() << " pairs") {
+            BOOST_TEST(found.rho == r.expected[0], tt::tolerance(1e-12));
+            BOOST_TEST(found.p == r.expected[1], tt::tolerance(1e-10));
+            BOOST_TEST(found.exact == (r.expected[2] == 1));
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(p_of_few_or_of_perfect_pairs) {
+    const RankCorrelation two =
+        rank_correlation_test(std::vector<double>{1, 2}, std::vector<double>{3, 4}).value();
+    BOOST_TEST(two.p == 1);
+    std::vector<double> many;
+    for (int i = 0; i < 12; ++i) many.push_back(i);
+    BOOST_TEST(rank_correlation_test(many, many).value().p == 0);
+    BOOST_TEST(!rank_correlation_test(many, std::vector<double>(12, 1)).has_value());
 }

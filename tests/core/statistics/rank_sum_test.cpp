@@ -5,6 +5,7 @@
 #include "statistics/rank_sum.h"
 
 #include "base/error.h"
+#include "core/statistics/reference.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -99,17 +100,16 @@ BOOST_AUTO_TEST_CASE(large_samples_take_the_normal_approximation) {
     check(rank_sum(sequence(1, 3), sequence(4, 100)), 0, 0.0033908106810643336, false);
     // wilcox.test(c(1,2,2,3,5,5,5,8), c(2,4,5,6,7,9,9), exact = FALSE, correct = TRUE)
     const std::vector<double> tied{1, 2, 2, 3, 5, 5, 5, 8}, others{2, 4, 5, 6, 7, 9, 9};
-    check(rank_sum(tied, others, RankSumMethod::normal), 14.5, 0.12725393975018059, false);
+    check(rank_sum(tied, others, RankMethod::normal), 14.5, 0.12725393975018059, false);
 }
 
 BOOST_AUTO_TEST_CASE(either_method_can_be_forced) {
     // wilcox.test(a, b, exact = FALSE, correct = TRUE)
-    check(rank_sum(a, b, RankSumMethod::normal), 58, 0.13332021558962748, false);
+    check(rank_sum(a, b, RankMethod::normal), 58, 0.13332021558962748, false);
     // wilcox.test(1:20, 21:40, exact = FALSE)
-    check(rank_sum(sequence(1, 20), sequence(21, 40), RankSumMethod::normal), 0, 6.7956151281733675e-08,
-          false);
+    check(rank_sum(sequence(1, 20), sequence(21, 40), RankMethod::normal), 0, 6.7956151281733675e-08, false);
     // wilcox.test(x, y, exact = TRUE), x and y of 60 and 55 values as above
-    check(rank_sum(residues(60, 37, 101, 0), residues(55, 53, 103, 0.5), RankSumMethod::exact), 1751,
+    check(rank_sum(residues(60, 37, 101, 0), residues(55, 53, 103, 0.5), RankMethod::exact), 1751,
           0.57499832586045585, true);
 }
 
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_smallest_samples_cannot_be_significant) {
     check(rank_sum(std::vector<double>{1}, std::vector<double>{2}), 0, 1, true);    // wilcox.test(1, 2)
     check(rank_sum(std::vector<double>{3, 1}, std::vector<double>{2}), 1, 1, true); // wilcox.test(c(3, 1), 2)
     // wilcox.test(c(1, 2), c(1.5, 1.7), exact = FALSE)
-    check(rank_sum(std::vector<double>{1, 2}, std::vector<double>{1.5, 1.7}, RankSumMethod::normal), 2, 1,
+    check(rank_sum(std::vector<double>{1, 2}, std::vector<double>{1.5, 1.7}, RankMethod::normal), 2, 1,
           false);
 }
 
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(equal_values_have_p_1) {
 }
 
 BOOST_AUTO_TEST_CASE(the_test_is_symmetric_and_depends_on_ranks_alone) {
-    for (const auto method : {RankSumMethod::exact, RankSumMethod::normal}) {
+    for (const auto method : {RankMethod::exact, RankMethod::normal}) {
         const RankSum one = rank_sum(a, b, method), other = rank_sum(b, a, method);
         BOOST_TEST(one.p == other.p);
         BOOST_TEST(one.statistic + other.statistic == 81);
@@ -143,7 +143,20 @@ BOOST_AUTO_TEST_CASE(the_test_is_symmetric_and_depends_on_ranks_alone) {
 
 BOOST_AUTO_TEST_CASE(an_empty_sample_or_nan_is_refused) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    BOOST_CHECK_THROW(rank_sum(std::vector<double>{}, b), InternalError);
-    BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{}), InternalError);
-    BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{1, nan}), InternalError);
+    BOOST_CHECK_THROW(rank_sum(std::vector<double>{}, b), InputError);
+    BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{}), InputError);
+    BOOST_CHECK_THROW(rank_sum(a, std::vector<double>{1, nan}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(normal_approximations_are_those_of_r) {
+    for (const Reference &r : references_of("rank_sum")) {
+        const RankMethod method = r.kind == "normal"      ? RankMethod::normal
+                                  : r.kind == "automatic" ? RankMethod::automatic
+                                                          : RankMethod::normal_without_continuity;
+        check(rank_sum(r.a, r.b, method), r.expected[0], r.expected[1], false);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_exact_test_of_too_many_values_is_refused) {
+    BOOST_CHECK_THROW(rank_sum(sequence(1, 101), sequence(1, 3), RankMethod::exact), InputError);
 }

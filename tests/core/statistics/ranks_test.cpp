@@ -22,5 +22,5 @@ BOOST_AUTO_TEST_CASE(ranks_of_different_values_count_from_one) {
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_sample_has_no_ranks) {
-    BOOST_CHECK_THROW(ranks(std::vector<double>{}), InternalError);
+    BOOST_CHECK_THROW(ranks(std::vector<double>{}), InputError);
 }
