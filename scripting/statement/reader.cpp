@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "statement/reader.h"
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -10,20 +11,34 @@
 
 namespace planula {
 
-Reader::Reader(const Value &table, Place place, std::span<const std::string_view> allowed, Problems &problems,
-               bool list)
-    : table_(table), place_(std::move(place)), problems_(problems) {
+namespace {
+
+/// What to write instead of an unknown key: a name that differs by one letter, or else the table that has the key.
+std::string advice(const std::string &key, const Value &stated, const Keys &keys) {
+    const std::vector<std::string_view> names = keys.names();
+    const std::string nearest = nearest_name(key, names);
+    const bool one_letter = !nearest.empty() && edit_distance(key, nearest) == 1;
+    const std::string elsewhere = one_letter ? "" : where_it_belongs(key, stated, keys);
+    return elsewhere.empty() ? suggestion(key, names) : "; " + elsewhere;
+}
+
+} // namespace
+
+Reader::Reader(const Value &table, Place place, Keys keys, Problems &problems, bool list)
+    : table_(table), place_(std::move(place)), keys_(std::move(keys)), problems_(problems) {
     const std::string owner = place_.words.empty() ? "the experiment" : place_.words;
-    for (const auto &[key, value] : table_.fields) {
-        if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-        problems_.add(place_.at(key), owner + " has no '" + key + "'" + suggestion(key, allowed) +
-                                          " (allowed: " + list_of(allowed) + ")");
-    }
+    const std::vector<std::string_view> names = keys_.names();
+    for (const auto &[key, value] : table_.fields)
+        if (!keys_.find(key))
+            problems_.add(place_.at(key), owner + " has no '" + key + "'" + advice(key, value, keys_) +
+                                              " (allowed: " + list_of(names) + ")");
     if (!list && !table_.list.empty())
         problems_.add(place_.at(1), owner + " has a value without a name; write: name = value");
 }
 
 const Value *Reader::field(const std::string &key, Value::Kind kind, bool needed) {
+    const Key *row = keys_.find(key);
+    CHECK(row && row->needed() == needed, key);
     const Value *value = table_.find(key);
     const std::string words = place_.words.empty() ? key : place_.words + "." + key;
     if (!value) {
@@ -51,8 +66,8 @@ std::optional<double> Reader::number(const std::string &key, bool needed) {
     return std::nullopt;
 }
 
-int Reader::whole(const std::string &key) {
-    const std::optional<double> value = number(key);
+int Reader::whole(const std::string &key, bool needed) {
+    const std::optional<double> value = number(key, needed);
     if (!value) return 0;
     if (*value >= 0 && *value <= std::numeric_limits<int>::max() && *value == std::trunc(*value))
         return static_cast<int>(*value);

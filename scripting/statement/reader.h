@@ -4,6 +4,7 @@
 #pragma once
 
 #include "parameters/parameters.h"
+#include "statement/keys.h"
 #include "statement/problems.h"
 
 #include <functional>
@@ -17,20 +18,16 @@ namespace planula {
 
 class Reader {
   public:
-    /// Reports keys that are not among `allowed`, and list entries unless `list` is true.
-    Reader(const Value &table, Place place, std::span<const std::string_view> allowed, Problems &problems,
-           bool list = false);
-    Reader(const Value &table, Place place, std::initializer_list<std::string_view> allowed,
-           Problems &problems, bool list = false)
-        : Reader(table, std::move(place), std::span(allowed.begin(), allowed.size()), problems, list) {}
+    /// Reports keys that are not among `keys`, and list entries unless `list` is true.
+    Reader(const Value &table, Place place, Keys keys, Problems &problems, bool list = false);
 
-    /// The field, if it is there and of that kind; its absence is reported if it is needed.
+    /// The field, if it is there and of that kind; its absence is reported if it is needed, as its row must say.
     const Value *field(const std::string &key, Value::Kind kind, bool needed);
     /// A text of one line, as tables hold them.
     std::string text(const std::string &key, bool needed = false);
     std::optional<double> number(const std::string &key, bool needed = false);
     /// A whole number of 0 … 2^31 - 1; 0 if absent.
-    int whole(const std::string &key);
+    int whole(const std::string &key, bool needed = false);
     /// A number, or the name of a parameter that stands for its value.
     std::optional<double> quantity(const std::string &key, const Parameters &parameters, bool needed = false);
 
@@ -42,6 +39,7 @@ class Reader {
   private:
     const Value &table_;
     Place place_;
+    Keys keys_;
     Problems &problems_;
 };
 

@@ -17,15 +17,6 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view setting_keys[] = {"name",    "title",       "actuation",  "search",
-                                             "engine",  "environment", "parameters", "fitness",
-                                             "penalty", "behaviour",   "start",      "record"};
-constexpr std::string_view start_keys[] = {"generations", "behaviour"};
-constexpr std::string_view experiment_keys[] = {
-    "name",    "title",   "actuation", "search", "engine",     "environment", "parameters",
-    "fitness", "penalty", "behaviour", "start",  "statistics", "sensitivity", "record"};
-constexpr std::string_view design_keys[] = {"name",       "title",       "parameters", "settings",
-                                            "statistics", "sensitivity", "record"};
 constexpr std::string_view actuation_names[] = {"oscillator", "grn"};
 constexpr std::string_view record_names[] = {"full", "sample"};
 constexpr std::string_view function_names[] = {"fitness", "penalty", "behaviour"};
@@ -51,9 +42,7 @@ class Schema {
         const Value &result = lua_.result();
         const Place root = problems_.root(result, lua_.main());
         const bool several = result.find("settings") != nullptr;
-        std::span<const std::string_view> keys = experiment_keys;
-        if (several) keys = design_keys;
-        Reader reader(result, root, keys, problems_);
+        Reader reader(result, root, keys_of(several ? "experiment" : "single"), problems_);
         const std::size_t problems_before = problems_.count();
         experiment_.name = reader.text("name", true);
         // It names a folder; a single setting has the same name, which is checked with the setting.
@@ -88,7 +77,7 @@ class Schema {
 
   private:
     void read_settings(Reader &reader) {
-        const Value *list = reader.field("settings", Value::Kind::table, true);
+        const Value *list = reader.field("settings", Value::Kind::table, false);
         if (!list) return;
         const Place place = reader.at("settings");
         Reader of_list(*list, place, {}, problems_, true);
@@ -102,7 +91,7 @@ class Schema {
                 problems_.add(here, here.words + " must be a table");
                 continue;
             }
-            Reader of_entry(entry, here, setting_keys, problems_);
+            Reader of_entry(entry, here, keys_of("setting"), problems_);
             read_setting(of_entry, shared);
             const std::string &name = experiment_.settings.back().name;
             if (!names.insert(name).second) problems_.add(here, "two settings are called '" + name + "'");
@@ -176,6 +165,9 @@ class Schema {
         for (const auto &[name, value] : table.fields) {
             const Place here = place.at(name, &value);
             check_at(here, problems_, [&, &key = name, &stated = value] {
+                const std::string elsewhere = where_it_belongs(key, stated, {"parameters"});
+                if (!elsewhere.empty())
+                    throw InputError("no parameter is called '" + key + "'; " + elsewhere);
                 const ParameterRow &row = parameter_row(key);
                 const Value::Kind kind = row.is_choice() ? Value::Kind::text : Value::Kind::number;
                 if (!stated.is(kind))
@@ -203,9 +195,9 @@ class Schema {
     void read_start(Reader &reader, Spec &spec) {
         const Value *table = reader.field("start", Value::Kind::table, false);
         if (!table) return;
-        Reader of_start(*table, reader.at("start"), start_keys, problems_);
+        Reader of_start(*table, reader.at("start"), keys_of("start"), problems_);
         spec.start.emplace();
-        spec.start->generations = of_start.whole("generations");
+        spec.start->generations = of_start.whole("generations", true);
         spec.start->judge = [](const Life &) { return Evaluation{}; };
         if (!of_start.field("behaviour", Value::Kind::function, true) || !experiment_.functions.back())
             return;

@@ -59,7 +59,7 @@ std::vector<double> sample_places(double from, double to, double step) {
 
 void sample_ground(const Value &table, const Place &place, LuaState &lua, Environment &environment,
                    Problems &problems) {
-    Reader reader(table, place, {"height", "from", "to", "step"}, problems);
+    Reader reader(table, place, keys_of("environment.ground"), problems);
     const Value *height = reader.field("height", Value::Kind::function, true);
     const auto from = reader.number("from", true), to = reader.number("to", true);
     const auto step = reader.number("step", true);
@@ -95,8 +95,7 @@ void read_ground(Reader &reader, LuaState &lua, Environment &environment, Proble
 
 World read_environment(const Value &table, const Place &place, const Parameters &parameters, LuaState &lua,
                        Problems &problems) {
-    Reader reader(table, place, {"gravity", "ground", "friction", "drag", "flow", "actuation_range"},
-                  problems);
+    Reader reader(table, place, keys_of("environment"), problems);
     World world;
     Environment &environment = world.environment;
     const auto quantity = [&](Reader &of, const char *key, const std::string &name, bool needed) {
@@ -109,12 +108,12 @@ World read_environment(const Value &table, const Place &place, const Parameters 
     environment.friction = quantity(reader, "friction", "friction", false);
     world.actuation_range = quantity(reader, "actuation_range", "actuation_range", true);
     if (const Value *drag = reader.field("drag", Value::Kind::table, false)) {
-        Reader of_drag(*drag, reader.at("drag"), {"normal", "tangential"}, problems);
+        Reader of_drag(*drag, reader.at("drag"), keys_of("environment.drag"), problems);
         environment.drag_normal = quantity(of_drag, "normal", "drag normal", true);
         environment.drag_tangential = quantity(of_drag, "tangential", "drag tangential", true);
     }
     if (const Value *flow = reader.field("flow", Value::Kind::table, false)) {
-        Reader of_flow(*flow, reader.at("flow"), {"x", "y"}, problems);
+        Reader of_flow(*flow, reader.at("flow"), keys_of("environment.flow"), problems);
         environment.flow.x = quantity(of_flow, "x", "flow x", false);
         environment.flow.y = quantity(of_flow, "y", "flow y", false);
     }

@@ -9,8 +9,6 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view keys[] = {"sample", "factors", "parameters"};
-
 /// Calls `take` for each entry of a list that may be absent, with its place.
 template <class Take>
 void each_entry(Reader &reader, const std::string &key, Problems &problems, const Take &take) {
@@ -26,7 +24,7 @@ void each_entry(Reader &reader, const std::string &key, Problems &problems, cons
 } // namespace
 
 SensitivityPlan read_sensitivity(const Value &table, const Place &place, Problems &problems) {
-    Reader reader(table, place, keys, problems);
+    Reader reader(table, place, keys_of("sensitivity"), problems);
     SensitivityPlan plan;
     if (table.find("sample")) {
         plan.sample = reader.whole("sample");

@@ -7,13 +7,6 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view statistics_keys[] = {
-    "confidence",   "resamples",       "interval_runs",      "significance", "sample_share",
-    "sample_least", "fitness_classes", "direction_distance", "endpoints",    "claims"};
-constexpr std::string_view claim_keys[] = {"id",    "statement", "section",    "paper",  "test",
-                                           "a",     "b",         "generation", "expect", "level",
-                                           "count", "bound",     "calibrated"};
-
 std::vector<std::string> read_endpoints(Reader &reader, std::span<const Spec> settings, Problems &problems) {
     std::vector<std::string> names;
     const Value *stated = reader.field("endpoints", Value::Kind::table, false);
@@ -33,7 +26,7 @@ std::vector<std::string> read_endpoints(Reader &reader, std::span<const Spec> se
 }
 
 Claim read_claim(const Value &table, const Place &place, Problems &problems) {
-    Reader reader(table, place, claim_keys, problems);
+    Reader reader(table, place, keys_of("statistics.claims[]"), problems);
     Claim claim;
     claim.id = reader.text("id", true);
     claim.statement = reader.text("statement", true);
@@ -80,7 +73,7 @@ void read_claims(const Value &list, const Place &place, std::span<const Spec> se
 Analysis read_statistics(const Value &table, const Place &place, const std::string &experiment,
                          const Parameters &design, std::span<const Spec> settings, Problems &problems) {
     const std::size_t problems_before = problems.count();
-    Reader reader(table, place, statistics_keys, problems);
+    Reader reader(table, place, keys_of("statistics"), problems);
     Analysis analysis;
     analysis.experiment = experiment;
     analysis.design = design;

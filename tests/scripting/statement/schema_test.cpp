@@ -333,7 +333,7 @@ BOOST_AUTO_TEST_CASE(a_start_is_generations_and_the_behaviour_of_bodies) {
 BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
     const std::string behaviour = "behaviour = function(life) return { life.cells } end";
     const auto start = [&](const std::string &fields) { return refused_body("start = { " + fields + " }"); };
-    BOOST_TEST(test::contains(start(behaviour), "start takes at least 1 generation, not 0"));
+    BOOST_TEST(test::contains(start(behaviour), "start.generations is missing"));
     BOOST_TEST(test::contains(start("generations = -1, " + behaviour), "must be a whole number"));
     BOOST_TEST(test::contains(start("generations = 2"), "behaviour is missing"));
     BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));

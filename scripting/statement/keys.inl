@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Every key that an experiment file may state, once: a line per key, table by table. What is allowed, the messages that
+// say where a key belongs, and REFERENCE.md are made of this list. Read with macros defined:
+//
+//   TABLE(id, path, meaning)   begins the keys of one table; path: where it stands in a setting or in the experiment
+//   KEY(name, kind, unit, standard, origin, meaning, example)
+//   TABLE_END
+//
+// kind      what the value is; "quantity": a number, or the name of a parameter that stands for its value
+// unit      of a number, as in parameters.inl; empty for everything else
+// standard  what holds without the key; "needed": the key must be there (Reader checks that the code says the same)
+// origin    a section or equation of the paper, the author and year of a publication, a page of paper/decisions/, or
+//           "ours": how planula is used
+// example   as a script states it; empty if the meaning says enough
+
+TABLE(experiment, "experiment", "the table that a script returns; with one setting, the keys of a setting stand beside these")
+KEY("name", "text", "", "needed", "ours", "names the experiment and the folder of its runs: 1 to 100 letters, digits, '-' and '_'", "name = \"honey\"")
+KEY("title", "text", "", "the name", "ours", "for people; one line", "title = \"Thick water\"")
+KEY("settings", "list of tables", "", "one setting", "§3", "the settings that are compared, each a table of the keys of a setting", "settings = { { name = \"thin\" }, { name = \"thick\" } }")
+KEY("parameters", "table", "", "standard values", "ours", "departures from the standard values in all settings, by name", "parameters = { population = 40 }")
+KEY("record", "text", "", "\"full\"", "0019", "which individuals the settings record: \"full\", all of them, or \"sample\", a random sample", "record = \"sample\"")
+KEY("statistics", "table or text", "", "needed", "0015", "what is computed from the runs, or the name of a module that returns it", "statistics = \"paper.summary\"")
+KEY("sensitivity", "table", "", "the standard of each key", "0018", "what planula sensitivity varies", "sensitivity = { sample = 50 }")
+TABLE_END
+
+TABLE(setting, "setting", "one of the compared settings: a search in an environment, and how lives are judged")
+KEY("name", "text", "", "needed", "ours", "names the setting and the folder of its runs: 1 to 100 letters, digits, '-' and '_'", "name = \"thick\"")
+KEY("title", "text", "", "the name", "ours", "for people; one line", "title = \"Thick water\"")
+KEY("actuation", "text", "", "needed", "§2.5", "what moves the springs: \"oscillator\" (Eq. 1) or \"grn\", the network itself (Eq. 2)", "actuation = \"grn\"")
+KEY("search", "text", "", "needed", "§2.7", "the search that evolves the setting, one of the list below", "search = \"novelty\"")
+KEY("engine", "text", "", "\"native\"", "0017", "the physics engine, one of the list below", "engine = \"reference\"")
+KEY("environment", "table", "", "needed", "§2.5", "the world that bodies move in", "environment = paper.aquatic { flow = { x = 0.1 } }")
+KEY("parameters", "table", "", "standard values", "ours", "departures from the standard values in this setting, by name", "parameters = { population = 40 }")
+KEY("fitness", "function", "", "needed", "Eq. 4", "fitness(life, parameters, penalty): a number, 0 or more; what searches maximise", "fitness = function(life) return life.displacement end")
+KEY("penalty", "function", "", "needed", "Eq. 6", "penalty(life, parameters): 0 … 1; 0 means that the individual is invalid", "penalty = function(life) return life.outcome == \"viable\" and 1 or 0 end")
+KEY("behaviour", "function", "", "needed", "§2.7.2", "behaviour(life, parameters): a list of 1 … 16 numbers, the descriptor that searches compare", "behaviour = function(life) return { life.finish.x, life.finish.y } end")
+KEY("start", "table", "", "generation 0 is random", "0016", "how generation 0 is evolved, by growth alone", "start = { generations = 30, behaviour = f }")
+KEY("record", "text", "", "that of the experiment", "0019", "which individuals the setting records: \"full\" or \"sample\"", "record = \"sample\"")
+TABLE_END
+
+TABLE(environment, "environment", "the world that bodies move in")
+KEY("gravity", "quantity", "cell/t.u.²", "0", "§2.5", "downward acceleration; needs a ground", "gravity = \"gravity\"")
+KEY("ground", "text or table", "", "\"none\"", "§2.5", "\"none\", \"flat\" (the line y = 0), a list of points {x, y} ascending in x, or a height function", "ground = { { -10, 0 }, { 10, 2 } }")
+KEY("friction", "quantity", "1", "0", "§2.5", "Coulomb friction between nodes and ground", "friction = 0.8")
+KEY("drag", "table", "", "no fluid", "§2.5", "the fluid's quadratic drag on the outline", "drag = { normal = 8, tangential = 4 }")
+KEY("flow", "table", "", "a fluid at rest", "ours", "velocity of the fluid", "flow = { x = 0.1 }")
+KEY("actuation_range", "quantity", "rest length", "needed", "§2.5", "largest change of a rest length when both cells agree, 0 … 0.9", "actuation_range = 0.4")
+TABLE_END
+
+TABLE(drag, "environment.drag", "quadratic drag of the fluid on the outline of the body")
+KEY("normal", "quantity", "mass/cell²", "needed", "0009", "drag per length of outline across its motion", "normal = \"drag_normal\"")
+KEY("tangential", "quantity", "mass/cell²", "needed", "0009", "drag per length of outline along its motion", "tangential = 0.1")
+TABLE_END
+
+TABLE(flow, "environment.flow", "velocity of the fluid")
+KEY("x", "quantity", "cell/t.u.", "0", "ours", "to the right", "x = 0.1")
+KEY("y", "quantity", "cell/t.u.", "0", "ours", "upwards", "y = -0.1")
+TABLE_END
+
+TABLE(ground, "environment.ground", "a ground by its height, which is sampled once, when the script is read; level beyond both ends")
+KEY("height", "function", "cell", "needed", "0010", "height(x): the height of the ground at x", "height = function(x) return math.sin(x) end")
+KEY("from", "number", "cell", "needed", "0010", "x of the first sample", "from = -50")
+KEY("to", "number", "cell", "needed", "0010", "x of the last sample", "to = 50")
+KEY("step", "number", "cell", "needed", "0010", "distance of two samples; at most 100000 samples", "step = 0.5")
+TABLE_END
+
+TABLE(start, "start", "how generation 0 is evolved before the run: by novelty search on growth alone")
+KEY("generations", "whole number", "generations", "needed", "0016", "so many generations of novelty search, 1 or more", "generations = 30")
+KEY("behaviour", "function", "", "needed", "0016", "behaviour(life, parameters) of a life that has grown and not moved", "behaviour = function(life) return { life.cells } end")
+TABLE_END
+
+TABLE(statistics, "statistics", "what is computed from the runs")
+KEY("confidence", "quantity", "1", "needed", "Fig. 6", "coverage of bootstrap intervals", "confidence = \"confidence\"")
+KEY("resamples", "quantity", "resamples", "needed", "0015", "of an interval, and draws of a permutation test", "resamples = \"bootstrap_resamples\"")
+KEY("interval_runs", "whole number", "runs", "10", "0015", "of fewer runs there is no interval", "interval_runs = 10")
+KEY("significance", "number", "1", "needed", "§3.2", "a p-value below this tells two groups apart", "significance = 0.05")
+KEY("sample_share", "number", "1", "needed", "§3.4", "share of the individuals of a run in the table of end points", "sample_share = 0.01")
+KEY("sample_least", "whole number", "individuals", "0", "ours", "of a smaller run so many individuals, on average", "sample_least = 1000")
+KEY("fitness_classes", "whole number", "classes", "20", "Fig. 11", "classes of fitness between nothing and a generation's highest; divides 100", "fitness_classes = 20")
+KEY("direction_distance", "number", "cell", "1", "§3.4", "who moved less has no direction", "direction_distance = 1")
+KEY("endpoints", "list of texts", "", "all settings", "Fig. 8", "settings whose end points are tabled", "endpoints = { \"thick\" }")
+KEY("claims", "list of tables", "", "no claims", "§3", "statements that the runs reproduce or contradict", "")
+TABLE_END
+
+TABLE(claim, "statistics.claims[]", "a statement about the runs, and the test that judges it")
+KEY("id", "text", "", "needed", "0015", "a short name, unique among the claims", "id = \"S1\"")
+KEY("statement", "text", "", "needed", "0015", "what is claimed", "")
+KEY("section", "text", "", "needed", "0015", "where it is claimed", "section = \"§3.2\"")
+KEY("paper", "text", "", "needed", "0015", "the evidence given there", "paper = \"p = 0.01\"")
+KEY("test", "text", "", "needed", "0015", "the test that judges it", "test = \"best_at_generation\"")
+KEY("a", "text", "", "needed", "0015", "a setting", "a = \"thick\"")
+KEY("b", "text", "", "no other setting", "0015", "the setting that it is compared with", "b = \"thin\"")
+KEY("generation", "whole number", "generations", "the last", "0015", "counted from 1", "generation = 400")
+KEY("expect", "text", "", "by the test", "0015", "\"greater\", \"less\" or \"no_difference\"", "expect = \"greater\"")
+KEY("level", "number", "1", "0", "0015", "of the tests mean_ahead and cyclic: the share that decides", "level = 0.9")
+KEY("count", "whole number", "runs", "0", "0015", "of the tests top_runs, cyclic and elongated: how many runs", "count = 3")
+KEY("bound", "number", "1", "0", "0015", "the largest difference that still counts as none", "bound = 0.21")
+KEY("calibrated", "true or false", "", "false", "0018", "the statement was used to choose the model, so that its verdict is no evidence", "")
+TABLE_END
+
+TABLE(sensitivity, "sensitivity", "what planula sensitivity varies: each parameter by each factor, in recorded individuals")
+KEY("sample", "whole number", "individuals", "200", "0018", "individuals of each setting", "sample = 50")
+KEY("factors", "list of numbers", "1", "{ 0.5, 2 }", "0018", "what a value is multiplied by", "factors = { 0.9, 1.1 }")
+KEY("parameters", "list of texts", "", "all assumed values", "0018", "names of the parameters that are varied", "parameters = { \"gravity\" }")
+TABLE_END
+
+#undef TABLE
+#undef KEY
+#undef TABLE_END
