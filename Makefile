@@ -13,8 +13,9 @@ OUT ?= build
 # The tables behind the paper: the tracked ones, unless a design is asked for; then those that `evolve` and `data` make.
 asked = $(filter command environment,$(foreach name,SEEDS POPULATION GENERATIONS EXPERIMENT,$(firstword $(origin $(name)))))
 DATA ?= $(if $(asked),$(OUT)/data,$(if $(wildcard data/manifest.csv),data,$(OUT)/data))
-# The setting that the README shows.
+# The settings whose best individuals the README, and Figures 1 and 2 show.
 PORTRAIT ?= osc-aq-ns
+EXAMPLE ?= osc-te-ns
 
 # ---- Places ----------------------------------------------------------------------------------------------------------
 PLANULA = build/planula
@@ -69,7 +70,7 @@ evolve: program ## run what is missing of SEEDS, GENERATIONS and POPULATION; may
 data: program ## reduce the runs to the tables in build/data, and simulate every champion again (witness)
 	@$(MAKE) $(OUT)/data/manifest.csv
 
-frames: program ## simulate the best individual of each setting again and write its frames
+frames: program ## simulate the best individuals of each setting again and write its frames
 	@$(MAKE) $(FRAMES)/frames.csv
 
 figures: deps-paper program ## draw every figure from the tables
@@ -244,7 +245,7 @@ $(OUT)/design: always
 	@mkdir -p $(OUT)
 	@echo '$(EXPERIMENT) $(DESIGN)' | cmp -s - $@ || echo '$(EXPERIMENT) $(DESIGN)' > $@
 
-TABLES = manifest settings worlds runs curves endpoints endpoint_paths archives shape_diversity heredity fitness_shares entropy outcomes claims best_genomes columns parameters
+TABLES = manifest settings worlds runs curves endpoints endpoint_paths endpoint_density archives shape_diversity heredity fitness_shares fitness_history entropy outcomes claims best_genomes columns parameters
 WITNESS = witness engines
 $(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manifest.csv)
 	@echo 'data: reducing …'
@@ -256,7 +257,7 @@ $(OUT)/reduced: $(PLANULA) $(OUT)/design $(SCRIPTS) $(wildcard $(RUNS)/*/*/manif
 	@touch $@
 $(TABLES:%=$(OUT)/data/%.csv) $(WITNESS:%=$(OUT)/data/%.csv) &: $(OUT)/reduced ;
 
-FRAME_TABLES = frames frame_cells frame_links morphologies
+FRAME_TABLES = frames frame_cells frame_links frame_paths frame_terrain morphologies
 $(OUT)/framed: $(PLANULA) $(SCRIPTS) $(DATA)/best_genomes.csv
 	@echo 'frames: simulating the best again …'
 	@rm -rf $(FRAMES).new
@@ -265,40 +266,38 @@ $(OUT)/framed: $(PLANULA) $(SCRIPTS) $(DATA)/best_genomes.csv
 	@touch $@
 $(FRAME_TABLES:%=$(FRAMES)/%.csv) &: $(OUT)/framed ;
 
-# Figures. Cairo writes the date of the day; it is replaced by one of equal length.
-PORTRAITS = fig03_oscillator_morphologies fig05_grn_morphologies
-# That of readings is drawn where the data have them.
-PLOTS = $(filter-out $(PORTRAITS) $(if $(wildcard $(DATA)/readings.csv),,fig14_readings),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
-FIGURE_FILES = $(PORTRAITS:%=$(FIGURES)/%.pdf) $(PLOTS:%=$(FIGURES)/%.pdf)
+# Figures. Those of animats are pages that a script lays out (PAGES), the others plots of the tables. Cairo writes the date
+# of the day; it is replaced by one of equal length.
+PAGES = fig01_development fig02_model fig03_oscillator_swimmers fig04_oscillator_walkers fig05_grn_animats
+# Those of witness and of readings are drawn where the data have them.
+PLOTS = $(filter-out $(if $(wildcard $(DATA)/witness.csv),,figR2_witness) $(if $(wildcard $(DATA)/readings.csv),,figR3_readings),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
+FIGURE_FILES = $(PAGES:%=$(FIGURES)/%.pdf) $(PLOTS:%=$(FIGURES)/%.pdf)
 STYLE = $(filter-out $(wildcard paper/figures/fig*.gp),$(wildcard paper/figures/*.gp))
 # gnuplot's warnings, as of a setting without data, stay in a log unless it fails.
 draw = gnuplot -e "$(1); out='$@.new'" $(2) 2> $@.log || { cat $@.log; exit 1; }; \
   LC_ALL=C sed -i 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' $@.new; mv $@.new $@
 figure-files: $(FIGURE_FILES)
 
-$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv) $(wildcard $(DATA)/readings.csv)
+$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv) $(wildcard $(DATA)/witness.csv $(DATA)/readings.csv)
 	@mkdir -p $(FIGURES)
 	@$(call draw,data='$(DATA)',$<)
 
-$(PORTRAITS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(FIGURES)/%/page.gp
-	@$(call draw,layout='$(FIGURES)/$*',$<)
+$(PAGES:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: $(FIGURES)/%/page.gp $(STYLE)
+	@$(call draw,layout='$(FIGURES)/$*',paper/figures/page.gp)
 
 paper/animat.png: $(FIGURES)/portrait/page.gp $(STYLE)
-	@gnuplot -e "layout='$(FIGURES)/portrait'; out='$@'" paper/figures/morphologies.gp 2> $(FIGURES)/portrait/log
+	@gnuplot -e "layout='$(FIGURES)/portrait'; out='$@'" paper/figures/page.gp 2> $(FIGURES)/portrait/log
 	@echo 'picture: $@'
 
-# The settings on each page of portraits, from top to bottom.
-settings_of = $(if $(findstring fig03,$(1)),osc-aq-neat osc-aq-ns osc-te-neat osc-te-ns,$(if \
-  $(findstring fig05,$(1)),grn-aq-neat grn-aq-ns grn-te-neat grn-te-ns,$(PORTRAIT)))
-$(PORTRAITS:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/page.gp: paper/figures/morphologies.lua \
-    paper/csv.lua $(FRAME_TABLES:%=$(FRAMES)/%.csv) $(DATA)/settings.csv
+$(PAGES:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/page.gp: $(wildcard paper/figures/*.lua) \
+    paper/csv.lua $(FRAME_TABLES:%=$(FRAMES)/%.csv) $(DATA)/settings.csv $(DATA)/parameters.csv
 	@mkdir -p $(FIGURES)/$*
-	@texlua paper/figures/morphologies.lua $(FRAMES) $(DATA) $(FIGURES)/$* $(call settings_of,$*)
+	@texlua paper/figures/$(if $(findstring fig02,$*),scheme.lua,individuals.lua $*) $(FRAMES) $(DATA) $(FIGURES)/$* $(if $(findstring portrait,$*),$(PORTRAIT),$(EXAMPLE))
 
-# The article: typeset twice, for its references. TeX gets the folder of the data as two macros. The tables of the
+# The article: typeset twice, for its references. TeX gets the folders of data and figures as two macros. The tables of the
 # witness, of sensitivity, of searches and of readings are left out where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
-$(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) $(FRAMES)/morphologies.csv \
+$(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) \
     $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)
 	@echo 'paper: typesetting …'
-	@bash paper/typeset.sh $(OUT) $(DATA) $(FRAMES) $(FIGURES)
+	@bash paper/typeset.sh $(OUT) $(DATA) $(FIGURES)

@@ -1,23 +1,23 @@
 -- SPDX-License-Identifier: MIT
 -- The numbers and tables of paper.tex that come from data, so that none is typed by hand. Functions either return TeX
--- text or print a table environment; an absent value shows as a dash. open() is called first, with the folders of the
--- reduced tables and of the frame tables. The power of the statistical tests is read from tests/power.
+-- text or print a table environment; an absent value shows as a dash. open() is called first, with the folder of the
+-- reduced tables. The power of the statistical tests is read from tests/power.
 local csv = require 'csv'
 local typeset = require 'typeset'
 local escape, show, short, percent_of = typeset.escape, typeset.show, typeset.short, typeset.percent_of
 local row_of, print_tabular = typeset.row_of, typeset.print_tabular
 local tables = {}
-local data, frames, simulated
+local data, simulated
 local decisions_folder, rules_file = 'paper/decisions', 'paper/sections/rules.tex'
 
 -- ---- Data ----
 
 -- Reads every table once.
-function tables.open(data_folder, frames_folder)
-  data, frames, simulated = {}, {}, {}
+function tables.open(data_folder)
+  data, simulated = {}, {}
   for _, name in ipairs { 'power', 'coverage' } do simulated[name] = csv.read('tests/power/' .. name .. '.csv') end
   data.manifest = csv.pairs_of(data_folder .. '/manifest.csv')
-  for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'claims', 'parameters' } do
+  for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'claims', 'parameters', 'endpoint_density' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
   -- Tables that a separate command makes; the data may lack them.
@@ -27,10 +27,11 @@ function tables.open(data_folder, frames_folder)
   end
   data.parameter = {}
   for _, row in ipairs(data.parameters) do data.parameter[row.name] = row end
-  for _, row in ipairs(csv.read(frames_folder .. '/morphologies.csv')) do frames[row.setting] = row end
 end
 
 function tables.manifest(key) return typeset.in_words(assert(data.manifest[key], 'manifest.csv has no ' .. key)) end
+-- A share of the manifest in per cent: 11.1.
+function tables.manifest_percent(key) return (percent_of(data.manifest[key]):gsub('%.0$', '')) end
 function tables.version() return escape(data.manifest.version) end
 
 -- The value of a parameter in the replication, by its name in the table of parameters.
@@ -40,6 +41,14 @@ end
 
 -- The same as a percentage: 40.
 function tables.percent(name) return show(100 * tonumber(data.parameter[name].standard)) end
+
+-- The longest period of a muscle in steps; how many individuals of a setting's best run Figure 9 rests on, of all.
+function tables.longest_period() return show(data.parameter.period_longest.standard) end
+function tables.recorded_ends(setting)
+  local count = 0
+  for _, row in ipairs(csv.where(data.endpoint_density, { setting = setting, role = 'best' })) do count = count + tonumber(row.recorded) end
+  return show(count)
+end
 
 -- ---- Rules ----
 
@@ -490,13 +499,6 @@ function tables.print_decisions()
   end
   lines[#lines + 1] = '\\end{description}'
   tex.print(lines)
-end
-
--- The best individual of a setting, for the caption of its portrait.
-function tables.portrait(setting)
-  local row = frames[setting]
-  if not row then return short(setting) .. ': no viable individual' end
-  return ('%s: fitness %s, %s cells'):format(short(setting), show(row.fitness), show(row.cells))
 end
 
 return tables

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 # Typesets the article: as often as its references need, with every cache inside OUT.
 #
-#   typeset.sh OUT DATA FRAMES FIGURES      makes OUT/paper.pdf; run in the root of the checkout
+#   typeset.sh OUT DATA FIGURES      makes OUT/paper.pdf; run in the root of the checkout
 set -euo pipefail
 out=$1
 work=$out/paper
 mkdir -p "$work" "$out/texmf"
 export TEXINPUTS=paper: LUAINPUTS=paper: TEXMFVAR=$out/texmf TEXMFCACHE=$out/texmf
-main="\\def\\datafolder{$2}\\def\\framesfolder{$3}\\def\\figuresfolder{$4}\\input{paper.tex}"
+main="\\def\\datafolder{$2}\\def\\figuresfolder{$3}\\input{paper.tex}"
 
 for round in 1 2 3 4; do
     before=$(cat "$work"/paper.{aux,toc,out} 2> /dev/null | cksum || true)

@@ -96,7 +96,7 @@ struct RunChoice {
 void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunChoice &runs,
             const std::filesystem::path &out);
 
-/// Simulates the best individual of each setting again, from best_genomes.csv in `data`, and writes the frame
+/// Simulates the best individuals of each setting again, from best_genomes.csv in `data`, and writes the frame
 /// tables into `out`. Throws InputError if a life differs from the record: the data are not of this experiment
 /// or version.
 void write_frames(std::span<const Spec> settings, const std::filesystem::path &data,

@@ -5,13 +5,14 @@
 #include "base/text.h"
 #include "body/body.h"
 #include "development/embryo.h"
+#include "physics/environment.h"
 #include "record/run_folder.h"
 #include "tables/csv.h"
 #include "tables/genome_table.h"
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <limits>
 #include <set>
 
 namespace planula {
@@ -20,26 +21,36 @@ namespace {
 
 constexpr int frames_per_stage = 6;
 using Steps = std::array<int, frames_per_stage>;
+constexpr int path_interval = 20; // steps between the points of a path
+constexpr double margin = 10;     // cells that the ground is shown beyond the outermost cell
 
-/// A setting's individual in best_genomes.csv, if there is one.
-std::optional<RecordedIndividual> read_recorded(const std::filesystem::path &data, const Spec &spec) {
-    std::optional<RecordedIndividual> found;
-    std::vector<GenomeRow> genes;
+/// The best individual of one of a setting's shown runs, as best_genomes.csv has it.
+struct Shown {
+    int rank = 0;
+    std::int64_t seed = 0;
+    RecordedIndividual recorded;
+};
+
+/// Those of a setting, by ascending rank.
+std::vector<Shown> read_shown(const std::filesystem::path &data, const Spec &spec) {
+    std::vector<Shown> all;
+    std::vector<std::vector<GenomeRow>> genes; // of each
+    const std::filesystem::path file = data / BestGenomeRow::file_name;
     for (const BestGenomeRow &row : read_table<BestGenomeRow>(data)) {
         if (row.setting != spec.name) continue;
-        if (!found)
-            found = RecordedIndividual{
-                data / BestGenomeRow::file_name, {}, row.fitness, row.displacement, row.cells};
-        genes.push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
+        if (all.empty() || all.back().rank != row.rank) {
+            all.push_back({row.rank, row.seed, {file, {}, row.fitness, row.displacement, row.cells}});
+            genes.emplace_back();
+        }
+        genes.back().push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
     }
-    if (!found) return found;
-
-    try {
-        found->genome = genome_of(genes);
-    } catch (const InputError &error) {
-        throw InputError(found->file.string() + ": setting '" + spec.name + "': " + error.what());
-    }
-    return found;
+    for (std::size_t i = 0; i < all.size(); ++i) try {
+            all[i].recorded.genome = genome_of(genes[i]);
+        } catch (const InputError &error) {
+            throw InputError(file.string() + ": setting '" + spec.name + "', rank " + to_text(all[i].rank) +
+                             ": " + error.what());
+        }
+    return all;
 }
 
 /// Evenly from the start of development to its end, at steps whose neighbourhood is fresh.
@@ -63,11 +74,19 @@ Steps gait_steps(const Parameters &p) {
     return steps;
 }
 
+/// Evenly over all of locomotion.
+Steps path_steps(const Parameters &p) {
+    Steps steps{};
+    for (int i = 0; i < frames_per_stage; ++i)
+        steps[i] = static_cast<int>(std::int64_t{p.gait.locomotion_steps} * i / (frames_per_stage - 1));
+    return steps;
+}
+
 /// The tables of all settings, while they are written.
 class FrameTables {
   public:
     explicit FrameTables(const std::filesystem::path &out)
-        : frames_(out), cells_(out), links_(out), morphologies_(out) {}
+        : frames_(out), cells_(out), links_(out), paths_(out), terrain_(out), morphologies_(out) {}
 
     /// Writes one picture; `signal` may be empty for all cells at rest.
     void draw(const FrameRow &frame, std::span<const Vec2d> cells, std::span<const double> signal,
@@ -78,22 +97,26 @@ class FrameTables {
         row.centre_x = centre.x, row.centre_y = centre.y;
         frames_.write(row);
         for (std::size_t i = 0; i < cells.size(); ++i)
-            cells_.write({row.setting, row.stage, row.frame, static_cast<int>(i), cells[i].x, cells[i].y,
-                          signal.empty() ? 0 : signal[i]});
+            cells_.write({row.setting, row.rank, row.stage, row.frame, static_cast<int>(i), cells[i].x,
+                          cells[i].y, signal.empty() ? 0 : signal[i]});
         std::set<Link> outer;
         for (const OutlineLink &link : rim)
             outer.insert({std::min(link.a, link.b), std::max(link.a, link.b)});
         for (const Link &link : links)
-            links_.write({row.setting, row.stage, row.frame, cells[link.a].x, cells[link.a].y,
+            links_.write({row.setting, row.rank, row.stage, row.frame, cells[link.a].x, cells[link.a].y,
                           cells[link.b].x, cells[link.b].y, outer.contains(link) ? 1 : 0});
     }
 
+    void trace(const FramePathRow &row) { paths_.write(row); }
+    void draw_terrain(const FrameTerrainRow &row) { terrain_.write(row); }
     void describe(const MorphologyRow &row) { morphologies_.write(row); }
 
     void commit() {
         frames_.commit();
         cells_.commit();
         links_.commit();
+        paths_.commit();
+        terrain_.commit();
         morphologies_.commit();
     }
 
@@ -101,15 +124,17 @@ class FrameTables {
     TableWriter<FrameRow> frames_;
     TableWriter<FrameCellRow> cells_;
     TableWriter<FrameLinkRow> links_;
+    TableWriter<FramePathRow> paths_;
+    TableWriter<FrameTerrainRow> terrain_;
     TableWriter<MorphologyRow> morphologies_;
 };
 
 /// Watches a simulation and draws it at the chosen steps.
 class FrameWatcher {
   public:
-    FrameWatcher(const Spec &spec, FrameTables &tables)
-        : spec_(spec), tables_(tables), growth_(growth_steps(spec.parameters)),
-          gait_(gait_steps(spec.parameters)) {
+    FrameWatcher(const Spec &spec, int rank, FrameTables &tables)
+        : spec_(spec), rank_(rank), tables_(tables), growth_(growth_steps(spec.parameters)),
+          gait_(gait_steps(spec.parameters)), path_(path_steps(spec.parameters)) {
         // The first picture is the zygote, before its first decision (decision 0003).
         tables_.draw(frame("growth", 0, 0), positions(zygote(0)), {}, {}, {});
     }
@@ -122,16 +147,28 @@ class FrameWatcher {
         };
         watch.born = [this](const Body &body) { body_ = body; };
         watch.move = [this](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
-            for (int i = 0; i < frames_per_stage; ++i)
-                if (gait_[i] == step)
-                    tables_.draw(frame("gait", i, step), nodes, signal, body_.mesh.links, body_.outline);
+            draw_at(gait_, "gait", step, nodes, signal);
+            draw_at(path_, "path", step, nodes, signal);
+            follow(step, nodes);
         };
         return watch;
     }
 
+    /// The ground below all that moved.
+    void draw_ground() {
+        if (!spec_.environment.has_ground || left_ > right_) return;
+        std::vector<double> edges{left_ - margin};
+        for (const Vec2d &corner : spec_.environment.ground)
+            if (corner.x > left_ - margin && corner.x < right_ + margin) edges.push_back(corner.x);
+        edges.push_back(right_ + margin);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            tables_.draw_terrain({spec_.name, rank_, "ground", 0, static_cast<int>(i), edges[i],
+                                  ground_height(spec_.environment, edges[i])});
+    }
+
   private:
     FrameRow frame(const char *stage, int number, int step) const {
-        return {.setting = spec_.name, .stage = stage, .frame = number, .step = step};
+        return {.setting = spec_.name, .rank = rank_, .stage = stage, .frame = number, .step = step};
     }
 
     void draw_embryo(int number, int step, std::span<const Vec2d> cells) {
@@ -141,20 +178,40 @@ class FrameWatcher {
         tables_.draw(frame("growth", number, step), cells, {}, body.mesh.links, body.outline);
     }
 
+    void draw_at(const Steps &steps, const char *stage, int step, std::span<const Vec2d> nodes,
+                 std::span<const double> signal) {
+        for (int i = 0; i < frames_per_stage; ++i)
+            if (steps[i] == step)
+                tables_.draw(frame(stage, i, step), nodes, signal, body_.mesh.links, body_.outline);
+    }
+
+    void follow(int step, std::span<const Vec2d> nodes) {
+        for (const Vec2d &node : nodes) left_ = std::min(left_, node.x), right_ = std::max(right_, node.x);
+        if (step % path_interval) return;
+        const Vec2d centre = centre_of_mass(nodes);
+        tables_.trace({spec_.name, rank_, step, centre.x, centre.y});
+    }
+
     const Spec &spec_;
+    int rank_;
     FrameTables &tables_;
-    Steps growth_, gait_;
+    Steps growth_, gait_, path_;
     Body body_;
+    double left_ = std::numeric_limits<double>::infinity(), right_ = -left_; // of all nodes that moved
 };
 
-void write_setting(const Spec &spec, const RecordedIndividual &recorded, FrameTables &tables) {
-    FrameWatcher frames(spec, tables);
+void write_individual(const Spec &spec, const Shown &shown, FrameTables &tables) {
+    const RecordedIndividual &recorded = shown.recorded;
+    FrameWatcher frames(spec, shown.rank, tables);
     const Life life = simulate_again(recorded, spec, frames.watch());
     if (const double fitness = spec.judge(life).fitness; fitness != recorded.fitness)
         throw InputError(recorded.file.string() + ": the best individual of '" + spec.name +
                          "' has fitness " + to_text(recorded.fitness) + " there, and is judged to have " +
                          to_text(fitness));
+    frames.draw_ground();
     tables.describe({.setting = spec.name,
+                     .rank = shown.rank,
+                     .seed = shown.seed,
                      .fitness = recorded.fitness,
                      .displacement = life.displacement(),
                      .cells = life.cells,
@@ -170,7 +227,7 @@ void write_frames(std::span<const Spec> settings, const std::filesystem::path &d
     const FolderLock held = hold_for_tables(out);
     FrameTables tables(out);
     for (const Spec &spec : settings)
-        if (const auto recorded = read_recorded(data, spec)) write_setting(spec, *recorded, tables);
+        for (const Shown &shown : read_shown(data, spec)) write_individual(spec, shown, tables);
     tables.commit();
 }
 

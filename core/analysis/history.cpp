@@ -139,14 +139,16 @@ HeredityRow heredity_of(const GenerationRow &row) {
             .cyclic = row.cyclic};
 }
 
-/// How a generation's fitness spreads over equal classes from 0 to its highest.
-std::vector<double> read_fitness_shares(const RecordedRun &run, int generation, int classes) {
+/// How the fitness of each of the first generations spreads over equal classes from 0 to its highest.
+std::vector<std::vector<double>> read_fitness_shares(const RecordedRun &run, int generations, int classes) {
+    std::vector<std::vector<double>> shares(static_cast<std::size_t>(generations),
+                                            std::vector<double>(static_cast<std::size_t>(classes)));
     TableReader<FitnessClassRow> reader(run.folder);
-    std::vector<double> shares(static_cast<std::size_t>(classes));
-    for (FitnessClassRow row; reader.next(row) && row.generation <= generation;) {
-        if (row.generation < generation) continue;
+    for (FitnessClassRow row; reader.next(row) && row.generation < generations;) {
+        if (row.generation < 0) reader.refuse("generation = " + to_text(row.generation));
         if (row.percent < 0 || row.percent > 99) reader.refuse("percent = " + to_text(row.percent));
-        shares[static_cast<std::size_t>(row.percent * classes / 100)] +=
+        shares[static_cast<std::size_t>(row.generation)]
+              [static_cast<std::size_t>(row.percent * classes / 100)] +=
             static_cast<double>(row.individuals) / run.population;
     }
     return shares;
@@ -201,7 +203,7 @@ RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int 
     const Headings headings(run, marks.back(), direction_distance);
     for (auto &[generation, facts] : history.after)
         facts.direction_resultant = headings.resultant(generation);
-    history.fitness_shares = read_fitness_shares(run, marks.back() - 1, fitness_classes);
+    history.fitness_shares = read_fitness_shares(run, marks.back(), fitness_classes);
     return history;
 }
 

@@ -37,8 +37,9 @@ struct RunHistory {
     std::vector<double> shape_diversity; // of each generation
     std::vector<HeredityRow> heredity;   // of each generation, in this run alone
     GenerationRow first, last;
-    std::map<int, RunFacts> after;      // by number of generations
-    std::vector<double> fitness_shares; // of the last generation, by classes of fitness over the highest
+    std::map<int, RunFacts> after; // by number of generations
+    // Of each generation, by classes of fitness over its highest: shares of the population.
+    std::vector<std::vector<double>> fitness_shares;
 };
 
 /// The champions of the run, each with a later generation than the one before; the first is of generation 0.

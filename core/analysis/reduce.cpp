@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis.h"
 #include "analysis/claims.h"
+#include "analysis/density.h"
 #include "analysis/survey.h"
 #include "analysis/tables.h"
 #include "base/error.h"
@@ -102,6 +103,7 @@ void write_settings(const Analysis &analysis, std::span<const SettingRuns *const
                            [&](const SettingRuns &s) { return std::vector{entropy_row(s, analysis)}; });
     write_each<OutcomeRow>(out, present, outcome_rows);
     write_each<FitnessShareRow>(out, present, fitness_share_rows);
+    write_each<FitnessHistoryRow>(out, present, fitness_history_rows);
     write_each<BestGenomeRow>(out, present, best_genome_rows);
 }
 
@@ -110,6 +112,10 @@ void write_exploration(const Analysis &analysis, std::span<const SettingRuns *co
     write_each<EndpointRow>(out, chosen, [&](const SettingRuns &s) {
         return for_representatives<EndpointRow>(
             s, [&](const Representative &r) { return endpoint_rows(s, r, sampled_share(s, analysis)); });
+    });
+    write_each<EndpointDensityRow>(out, chosen, [](const SettingRuns &s) {
+        return for_representatives<EndpointDensityRow>(
+            s, [&](const Representative &r) { return endpoint_density_rows(s, r); });
     });
     write_each<EndpointPathRow>(out, chosen, [&](const SettingRuns &s) {
         return for_representatives<EndpointPathRow>(
@@ -176,6 +182,8 @@ Manifest data_manifest(const Analysis &analysis, std::span<const SettingRuns> se
     manifest.add("generations_planned", design.design.generations);
     manifest.add("population", population);
     manifest.add("population_planned", design.neat.population);
+    manifest.add("endpoint_share", to_text(sample_share(analysis.sample_share, analysis.sample_least,
+                                                        population, generations)));
     manifest.add("evaluations", evaluations);
     manifest.add("evaluations_planned",
                  count * design.design.seeds * design.design.generations * design.neat.population);

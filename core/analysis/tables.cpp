@@ -9,6 +9,7 @@
 #include "tables/archive_table.h"
 #include "tables/genome_table.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -175,10 +176,12 @@ std::vector<OutcomeRow> outcome_rows(const SettingRuns &setting) {
 
 std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting) {
     std::vector<FitnessShareRow> rows;
-    const std::size_t classes = setting.histories.front().fitness_shares.size();
+    const std::size_t classes = setting.histories.front().fitness_shares.back().size();
     for (std::size_t i = 0; i < classes; ++i) {
-        const std::vector<double> shares = from_runs(
-            setting, [&](const RunHistory &history, const RunFacts &) { return history.fitness_shares[i]; });
+        const std::vector<double> shares =
+            from_runs(setting, [&](const RunHistory &history, const RunFacts &) {
+                return history.fitness_shares.back()[i];
+            });
         const auto edge = [&](std::size_t at) {
             return static_cast<double>(at) / static_cast<double>(classes);
         };
@@ -188,21 +191,25 @@ std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting) {
 }
 
 std::vector<BestGenomeRow> best_genome_rows(const SettingRuns &setting) {
-    const std::size_t best = ranking(setting).front();
-    const ChampionRow &champion = setting.outcome_of(best).champion;
+    const std::vector<std::size_t> order = ranking(setting);
     std::vector<BestGenomeRow> rows;
-    for (const GenomeRow &gene : genome_rows(read_champion_genome(setting.runs[best], setting.generations)))
-        rows.push_back({.setting = setting.spec->name,
-                        .seed = setting.runs[best].seed,
-                        .fitness = champion.fitness,
-                        .displacement = champion.displacement,
-                        .cells = champion.cells,
-                        .kind = gene.kind,
-                        .id = gene.id,
-                        .from = gene.from,
-                        .to = gene.to,
-                        .value = gene.value,
-                        .recurrent = gene.recurrent});
+    for (std::size_t i = 0; i < std::min(order.size(), shown_runs); ++i) {
+        const RecordedRun &run = setting.runs[order[i]];
+        const ChampionRow &champion = setting.outcome_of(order[i]).champion;
+        for (const GenomeRow &gene : genome_rows(read_champion_genome(run, setting.generations)))
+            rows.push_back({.setting = setting.spec->name,
+                            .rank = static_cast<int>(i) + 1,
+                            .seed = run.seed,
+                            .fitness = champion.fitness,
+                            .displacement = champion.displacement,
+                            .cells = champion.cells,
+                            .kind = gene.kind,
+                            .id = gene.id,
+                            .from = gene.from,
+                            .to = gene.to,
+                            .value = gene.value,
+                            .recurrent = gene.recurrent});
+    }
     return rows;
 }
 

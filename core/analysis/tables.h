@@ -21,7 +21,10 @@ EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis);
 std::vector<OutcomeRow> outcome_rows(const SettingRuns &setting);
 std::vector<FitnessShareRow> fitness_share_rows(const SettingRuns &setting);
 
-/// The best run's best genome. Throws InputError if its file is damaged.
+/// The best runs of a setting whose best individuals are shown, as in Figures 3 to 5.
+inline constexpr std::size_t shown_runs = 3;
+
+/// The best individuals of the shown runs, or of all if there are fewer. Throws InputError if a file is damaged.
 std::vector<BestGenomeRow> best_genome_rows(const SettingRuns &setting);
 
 /// A run that represents its setting: best or median.

@@ -256,6 +256,18 @@ COLUMN(double, x, "cell", "its horizontal displacement from rest to end")
 COLUMN(double, y, "cell", "its vertical displacement from rest to end")
 END_TABLE
 
+TABLE(EndpointDensityRow, "endpoint_density.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(std::int64_t, seed, "", "seed of the run")
+COLUMN(std::string, role, "", "best: the setting's best run; median: the best run below the median")
+COLUMN(int, generation_low, "generation", "first generation of the bin")
+COLUMN(int, generation_high, "generation", "last generation of the bin")
+COLUMN(double, x_low, "cell", "lower end of the bin of horizontal displacements from rest to end")
+COLUMN(double, x_high, "cell", "upper end of the bin, excluded")
+COLUMN(int, recorded, "individuals", "viable individuals in the bin among those that a run recorded as a sample has; a bin without any has no row")
+COLUMN(double, individuals, "individuals", "estimate of the viable individuals in the bin among all of the run: the recorded ones, each over the share of its generation that is recorded")
+END_TABLE
+
 TABLE(EndpointPathRow, "endpoint_paths.csv")
 COLUMN(std::string, setting, "", "name of the setting")
 COLUMN(std::int64_t, seed, "", "seed of the run")
@@ -280,6 +292,16 @@ COLUMN(int, runs, "runs", "runs averaged")
 COLUMN(double, low, "1", "lower end of a class of fitness over the highest in the last generation")
 COLUMN(double, high, "1", "upper end of the class, excluded but for the last")
 COLUMN(double, share, "1", "share of the last generation in the class, mean over runs")
+END_TABLE
+
+TABLE(FitnessHistoryRow, "fitness_history.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, runs, "runs", "runs averaged")
+COLUMN(int, generation_low, "generation", "first generation of the bin")
+COLUMN(int, generation_high, "generation", "last generation of the bin")
+COLUMN(double, low, "1", "lower end of a class of fitness over the highest of the generation")
+COLUMN(double, high, "1", "upper end of the class, excluded but for the last")
+COLUMN(double, share, "1", "share of the individuals in the class, mean over the generations of the bin and over runs")
 END_TABLE
 
 TABLE(EntropyRow, "entropy.csv")
@@ -354,7 +376,8 @@ END_TABLE
 
 TABLE(BestGenomeRow, "best_genomes.csv")
 COLUMN(std::string, setting, "", "name of the setting")
-COLUMN(std::int64_t, seed, "", "seed of its best run")
+COLUMN(int, rank, "", "1: the setting's best run; then the next best, up to the third")
+COLUMN(std::int64_t, seed, "", "seed of that run")
 COLUMN(double, fitness, "cell", "fitness of that run's best individual")
 COLUMN(double, displacement, "cell", "distance that it moved")
 COLUMN(int, cells, "cells", "its cells at the end of development")
@@ -445,8 +468,9 @@ END_TABLE
 // ---- Frames of individuals simulated again ----
 
 TABLE(FrameRow, "frames.csv")
-COLUMN(std::string, setting, "", "name of the setting whose best individual is shown")
-COLUMN(std::string, stage, "", "growth: development; gait: one longest oscillator period at the end of locomotion")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, rank, "", "rank of the run whose best individual is shown, see best_genomes.csv")
+COLUMN(std::string, stage, "", "growth: development; gait: one longest oscillator period at the end of locomotion; path: all of locomotion")
 COLUMN(int, frame, "frame", "number of the frame in its stage, from 0")
 COLUMN(int, step, "step", "step of development or of locomotion")
 COLUMN(int, cells, "cells", "cells alive")
@@ -455,8 +479,9 @@ COLUMN(double, centre_y, "cell", "centre of mass, vertical")
 END_TABLE
 
 TABLE(FrameCellRow, "frame_cells.csv")
-COLUMN(std::string, setting, "", "name of the setting whose best individual is shown")
-COLUMN(std::string, stage, "", "growth or gait")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, rank, "", "rank of the run whose best individual is shown, see best_genomes.csv")
+COLUMN(std::string, stage, "", "growth, gait or path")
 COLUMN(int, frame, "frame", "number of the frame in its stage, from 0")
 COLUMN(int, cell, "cell number", "number of the cell, by age")
 COLUMN(double, x, "cell", "its centre, horizontal")
@@ -465,8 +490,9 @@ COLUMN(double, signal, "1", "its actuation, from -1 (contraction) to 1 (expansio
 END_TABLE
 
 TABLE(FrameLinkRow, "frame_links.csv")
-COLUMN(std::string, setting, "", "name of the setting whose best individual is shown")
-COLUMN(std::string, stage, "", "growth or gait")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, rank, "", "rank of the run whose best individual is shown, see best_genomes.csv")
+COLUMN(std::string, stage, "", "growth, gait or path")
 COLUMN(int, frame, "frame", "number of the frame in its stage, from 0")
 COLUMN(double, x1, "cell", "first end of a link between two cells, horizontal")
 COLUMN(double, y1, "cell", "first end, vertical")
@@ -475,8 +501,28 @@ COLUMN(double, y2, "cell", "second end, vertical")
 COLUMN(int, outline, "0 or 1", "1 for a link on the outline")
 END_TABLE
 
+TABLE(FramePathRow, "frame_paths.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, rank, "", "rank of the run whose best individual is shown, see best_genomes.csv")
+COLUMN(int, step, "step", "step of locomotion")
+COLUMN(double, x, "cell", "centre of mass, horizontal")
+COLUMN(double, y, "cell", "centre of mass, vertical")
+END_TABLE
+
+TABLE(FrameTerrainRow, "frame_terrain.csv")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, rank, "", "rank of the run whose best individual is shown, see best_genomes.csv")
+COLUMN(std::string, kind, "", "ground: the line that bodies stand on, as far as the frames reach")
+COLUMN(int, line, "", "number of the line among those of its kind, from 0")
+COLUMN(int, point, "", "number of the point on its line, from 0")
+COLUMN(double, x, "cell", "place of the point, horizontal")
+COLUMN(double, y, "cell", "place of the point, vertical")
+END_TABLE
+
 TABLE(MorphologyRow, "morphologies.csv")
-COLUMN(std::string, setting, "", "name of the setting whose best individual is described")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, rank, "", "rank of the run whose best individual is described, see best_genomes.csv")
+COLUMN(std::int64_t, seed, "", "seed of that run")
 COLUMN(double, fitness, "cell", "its fitness")
 COLUMN(double, displacement, "cell", "distance that it moved")
 COLUMN(int, cells, "cells", "its cells")

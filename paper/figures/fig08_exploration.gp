@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Figure 8 of the original: where the individuals of a run ended, in water with oscillators. A random share of all of them
-# (points, by generation) and the best of each generation (line), for the best and the median run of each search.
-height = 14.8
+# (points, by generation) and the best of each generation (line; dots where it is the best so far), for the best and the
+# median run of each search.
+height = 14.9
 load 'paper/figures/style.gp'
 
 # One square range around the origin for all four panels.
@@ -14,9 +15,9 @@ do for [name in 'endpoint_paths endpoints'] {
 reach = 1.05 * reach
 
 # Few points are drawn larger.
-dot = found(0) < 4000 ? 0.4 : 0.22
+dot = found(0) < 6000 ? 0.36 : 0.2
 
-last = manifest('generations') > 1 ? manifest('generations') - 1 : 1
+last = last_of('generations')
 set cbrange [0:last]
 set cbtics 0, generation_tics(last)
 set size ratio -1
@@ -32,25 +33,35 @@ do for [i = 0:3] {
     role = word('best median', 1 + i % 2)
     setting = 'osc-aq-'.search
     left = 0.075 + (i % 2) * (square + 0.03)
-    top = 0.97 - (i / 2) * (square * width / height + 0.05)
+    top = 0.972 - (i / 2) * (square * width / height + 0.045)
     set lmargin at screen left
     set rmargin at screen left + square
     set tmargin at screen top
     set bmargin at screen top - square * width / height
     set label 1 panel_title(word('A B C D', i + 1), name_of(search).', '.role.' run') at graph 0,1.035 left textcolor rgb ink
+    set label 2 lacks('endpoint_paths', setting) at graph 0.5,0.5 center textcolor rgb 0x777777
     set xlabel (i / 2 == 1 ? 'x (cell diameters)' : '') offset 0,0.9 textcolor rgb ink
     set ylabel (i % 2 == 0 ? 'y (cell diameters)' : '') offset 1.2,0 textcolor rgb ink
     if (i / 2 == 1) { set format x '%g' } else { set format x '' }
     if (i % 2 == 0) { set format y '%g' } else { set format y '' }
     if (i == 3) {
-        set colorbox user origin 0.915,0.2 size 0.016,0.6 noborder
+        set colorbox user origin 0.915,0.22 size 0.016,0.56 noborder
         set cblabel 'generation' offset 0.5,0 textcolor rgb ink
     } else { unset colorbox }
     of_run(value) = stringcolumn('role') eq role ? of(setting, value) : NaN
-    plot table('endpoints') using (of_run(column('x'))):(column('y')):(column('generation')) \
+    # 1 in the rows of a best so far.
+    highest = -1
+    is_record(fitness) = fitness > highest ? (highest = fitness, 1) : 0
+    record(value) = of_run(1) == 1 && is_record(column('fitness')) ? value : NaN
+    plot @unseen, table('endpoints') using (of_run(column('x'))):(column('y')):(column('generation')) \
              with points pointtype 7 pointsize dot linecolor palette, \
-         table('endpoint_paths') using (of_run(column('x'))):(column('y')) \
-             with lines linewidth 0.6 linecolor rgb 0x40000000, \
-         '+' using (0):(0) every ::0::0 with points pointtype 1 pointsize 0.6 linewidth 1.2 linecolor rgb 0xD55E00
+         table('endpoint_paths') using (of_run(column('x'))):(column('y')) with lines linewidth 1.8 linecolor rgb 0x30FFFFFF, \
+         table('endpoint_paths') using (of_run(column('x'))):(column('y')) with lines linewidth 0.7 linecolor rgb 0x111111, \
+         table('endpoint_paths') using (record(column('x'))):(column('y')) \
+             with points pointtype 7 pointsize 0.62 linecolor rgb 0xFFFFFF, \
+         highest = -1 table('endpoint_paths') using (record(column('x'))):(column('y')) \
+             with points pointtype 7 pointsize 0.42 linecolor rgb 0xD5200E, \
+         '+' using (0):(0) every ::0::0 with points pointtype 1 pointsize 0.8 linewidth 2.4 linecolor rgb 0xFFFFFF, \
+         '+' using (0):(0) every ::0::0 with points pointtype 1 pointsize 0.7 linewidth 1.2 linecolor rgb 0x111111
 }
 unset multiplot

@@ -4,7 +4,7 @@
 height = 7.2
 load 'paper/figures/style.gp'
 
-last = manifest('generations') > 1 ? manifest('generations') - 1 : 1
+last = last_of('generations')
 set cbrange [0:last]
 set cbtics 0, generation_tics(last)
 stats table('archives') using (of('osc-aq-ns', max(abs(column('x')), abs(column('y'))))) name 'END' nooutput
@@ -29,6 +29,7 @@ set ylabel 'y (cell diameters)' offset 1.2,0 textcolor rgb ink
 set label 1 panel_title('A', 'water') at graph 0,1.06 left textcolor rgb ink
 set colorbox user origin 0.075 + side + 0.015,0.2 size 0.014,0.6 noborder
 set cblabel 'generation' offset 0.5,0 textcolor rgb ink
+set label 2 lacks('archives', 'osc-aq-ns') at graph 0.5,0.5 center textcolor rgb 0x777777
 plot @unseen, table('archives') using (of('osc-aq-ns', column('x'))):(column('y')):(column('generation')) \
          with points pointtype 7 pointsize (water_dots < 4000 ? 0.35 : 0.2) linecolor palette
 
@@ -43,6 +44,7 @@ set xtics 0, generation_tics(last)
 set xlabel 'generation of entry' offset 0,0.9 textcolor rgb ink
 set ylabel 'x (cell diameters)' offset 1.2,0 textcolor rgb ink
 set label 1 panel_title('B', 'land')
+set label 2 lacks('archives', 'osc-te-ns')
 plot @unseen, table('archives') using (of('osc-te-ns', column('generation'))):(column('x')):(column('generation')) \
          with points pointtype 7 pointsize (land_dots < 4000 ? 0.35 : 0.2) linecolor palette
 unset multiplot

@@ -15,6 +15,11 @@ set key at screen 0.985,0.99 top right horizontal Left reverse samplen 0.5 width
 # Places of the four groups along x; NEAT stands left of the middle, novelty search right.
 groups = 'osc-aq osc-te grn-aq grn-te'
 place(i, search) = i - 1 + (search eq 'neat' ? -0.16 : 0.16)
+do for [i = 1:4] { do for [search in 'neat ns'] {
+    if (rows_of('entropy', word(groups, i).'-'.search) == 0) {
+        set label 'no data' at place(i, search), graph 0.5 center rotate font ',7' textcolor rgb colour(search)
+    }
+}}
 plot for [search in 'neat ns'] for [i = 1:4] setting = word(groups, i).'-'.search table('runs') \
          using (place(i, search) + 0.09):(of(setting, column('size_entropy'))) \
          with points pointtype 6 pointsize 0.35 linewidth 0.7 linecolor rgb colour(search) notitle, \

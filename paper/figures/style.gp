@@ -52,3 +52,11 @@ largest(otherwise) = exists('END_max') ? END_max : otherwise
 lowest(otherwise) = exists('END_min') ? END_min : otherwise
 # An invisible point, for panels whose tables may have no fitting row: gnuplot draws no axes for an empty plot.
 unseen = "'+' using (0):(0) every ::0::0 with points pointsize 0 notitle"
+
+# The rows of a table that belong to a setting, its first column; OSC AQ NS for osc-aq-ns.
+rows_of(name, setting) = int(system("grep -c '^".setting.",' '".table(name)."' || true"))
+short(setting) = system("echo ".setting." | tr 'a-z-' 'A-Z '")
+# What a panel says where its settings have no data; nothing if all have some.
+lacks(name, setting) = rows_of(name, setting) > 0 ? '' : "no data of ".short(setting)."\n"
+# The last of so many generations, the end of an axis that begins at 0 and is never empty.
+last_of(key) = manifest(key) > 1 ? manifest(key) - 1 : 1

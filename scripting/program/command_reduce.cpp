@@ -73,7 +73,7 @@ const Command &frames_command() {
     static const Command command{
         "frames",
         "FILE.lua",
-        "simulates the best individual of each setting and writes its frames",
+        "simulates the best individuals of each setting and writes their frames",
         R"(Reads the genomes from best_genomes.csv, which planula reduce writes. If an individual does not move as recorded
 there, the command ends with an error.)",
         frames_options,

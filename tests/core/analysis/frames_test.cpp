@@ -45,7 +45,7 @@ const Swimmer &swimmer() {
 std::vector<BestGenomeRow> recorded() {
     std::vector<BestGenomeRow> rows;
     for (const GenomeRow &gene : genome_rows(swimmer().genome))
-        rows.push_back({"water", 1, 1.5, swimmer().life.displacement(), swimmer().life.cells, gene.kind,
+        rows.push_back({"water", 1, 7, 1.5, swimmer().life.displacement(), swimmer().life.cells, gene.kind,
                         gene.id, gene.from, gene.to, gene.value, gene.recurrent});
     return rows;
 }
@@ -81,6 +81,66 @@ BOOST_AUTO_TEST_CASE(gait_is_shown_over_the_longest_period_up_to_the_end) {
     BOOST_TEST((steps == std::vector<int>{3600, 3680, 3760, 3840, 3920, 4000}));
     BOOST_TEST(last.centre_x == swimmer().life.finish.x);
     BOOST_TEST(last.centre_y == swimmer().life.finish.y);
+}
+
+BOOST_AUTO_TEST_CASE(the_path_is_shown_from_rest_to_the_end_where_it_was) {
+    const TemporaryFolder folder;
+    film(folder, recorded());
+    std::vector<FrameRow> shown;
+    for (const FrameRow &row : read_table<FrameRow>(folder / "frames"))
+        if (row.stage == "path") shown.push_back(row);
+    BOOST_REQUIRE(shown.size() == 6u);
+    BOOST_TEST(shown[1].step == 800);
+    const auto path = read_table<FramePathRow>(folder / "frames");
+    BOOST_REQUIRE(path.size() == 201u);
+    for (const FrameRow &row : shown) {
+        const FramePathRow &place = path.at(static_cast<std::size_t>(row.step) / 20);
+        BOOST_TEST(place.step == row.step);
+        BOOST_TEST(place.x == row.centre_x);
+        BOOST_TEST(place.y == row.centre_y);
+    }
+    BOOST_TEST(path.front().x == swimmer().life.rest.x);
+    BOOST_TEST(path.back().x == swimmer().life.finish.x);
+    BOOST_TEST(read_table<FrameTerrainRow>(folder / "frames").empty()); // water
+}
+
+BOOST_AUTO_TEST_CASE(the_ground_is_shown_with_its_corners_beyond_every_cell) {
+    const TemporaryFolder folder;
+    Spec spec = swimmers();
+    spec.environment.has_ground = true;
+    spec.environment.ground = {{-1000, -50}, {0, -50}, {2, -49}, {1000, -49}};
+    const Life life = live(swimmer().genome, spec);
+    std::vector<BestGenomeRow> rows = recorded();
+    for (BestGenomeRow &row : rows) row.displacement = life.displacement();
+    write_table<BestGenomeRow>(folder.path(), rows);
+    write_frames(std::span(&spec, 1), folder.path(), folder / "frames");
+    double left = 0, right = 0;
+    for (const FrameCellRow &cell : read_table<FrameCellRow>(folder / "frames"))
+        if (cell.stage != "growth") left = std::min(left, cell.x), right = std::max(right, cell.x);
+    const auto ground = read_table<FrameTerrainRow>(folder / "frames");
+    BOOST_REQUIRE(ground.size() == 4u);
+    BOOST_TEST(ground[0].x <= left - 10);
+    BOOST_TEST(ground[0].y == -50);
+    BOOST_TEST(ground[1].x == 0);
+    BOOST_TEST(ground[2].y == -49);
+    BOOST_TEST(ground[3].x >= right + 10);
+    BOOST_TEST(ground[3].point == 3);
+}
+
+BOOST_AUTO_TEST_CASE(the_best_of_several_runs_are_told_apart) {
+    const TemporaryFolder folder;
+    std::vector<BestGenomeRow> rows = recorded(), second = recorded();
+    for (BestGenomeRow &row : second) row.rank = 2, row.seed = 5;
+    rows.insert(rows.end(), second.begin(), second.end());
+    film(folder, rows);
+    std::map<int, int> frames;
+    for (const FrameRow &row : read_table<FrameRow>(folder / "frames")) ++frames[row.rank];
+    BOOST_TEST((frames == std::map<int, int>{{1, 18}, {2, 18}}));
+    const auto described = read_table<MorphologyRow>(folder / "frames");
+    BOOST_REQUIRE(described.size() == 2u);
+    BOOST_TEST(described[0].seed == 7);
+    BOOST_TEST(described[1].rank == 2);
+    BOOST_TEST(described[1].seed == 5);
 }
 
 BOOST_AUTO_TEST_CASE(every_frame_has_its_cells_and_links) {
@@ -142,7 +202,8 @@ BOOST_AUTO_TEST_CASE(a_genome_that_does_not_fit_is_refused) {
     const TemporaryFolder folder;
     std::vector<BestGenomeRow> rows = recorded();
     rows[2].kind = "bias";
-    BOOST_TEST(contains(message_of<InputError>([&] { film(folder, rows); }), "setting 'water': genome "));
+    BOOST_TEST(
+        contains(message_of<InputError>([&] { film(folder, rows); }), "setting 'water', rank 1: genome "));
     rows = recorded();
     for (BestGenomeRow &row : rows) row.setting = "land";
     std::vector<Spec> settings{fake_spec("land", 1, 2)};

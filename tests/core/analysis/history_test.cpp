@@ -123,11 +123,11 @@ BOOST_AUTO_TEST_CASE(fitness_shares_cover_the_last_generation) {
     // 0, 4, 6, 8, 10 over 10 in quarters: 0 in the first, 4 in the second, 6 in the third, the others above.
     const TemporaryFolder folder;
     const RunHistory history = history_of(recorded(folder), {4});
-    BOOST_REQUIRE(history.fitness_shares.size() == 4u);
-    BOOST_TEST(history.fitness_shares[0] == 0.2, tolerance(1e-12));
-    BOOST_TEST(history.fitness_shares[1] == 0.2, tolerance(1e-12));
-    BOOST_TEST(history.fitness_shares[2] == 0.2, tolerance(1e-12));
-    BOOST_TEST(history.fitness_shares[3] == 0.4, tolerance(1e-12));
+    BOOST_REQUIRE(history.fitness_shares.size() == 4u && history.fitness_shares.back().size() == 4u);
+    BOOST_TEST(history.fitness_shares.back()[0] == 0.2, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares.back()[1] == 0.2, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares.back()[2] == 0.2, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares.back()[3] == 0.4, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(the_past_does_not_depend_on_how_long_the_run_went_on) {
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_run_without_viable_individuals_has_facts) {
     BOOST_TEST(!history.after.at(2).fitness_spread.has_value());
     BOOST_TEST(!history.after.at(2).direction_resultant.has_value());
     BOOST_TEST(history.after.at(2).valid_share == 0);
-    BOOST_TEST(history.fitness_shares[0] == 1, tolerance(1e-12));
+    BOOST_TEST(history.fitness_shares.back()[0] == 1, tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(individuals_out_of_order_or_missing_are_refused_with_their_line) {

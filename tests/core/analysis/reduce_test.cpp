@@ -12,11 +12,13 @@ using namespace planula;
 
 namespace {
 
-const std::vector<std::string> tables{
-    "manifest.csv", "settings.csv",       "runs.csv",     "curves.csv",         "endpoints.csv",
-    "entropy.csv",  "endpoint_paths.csv", "outcomes.csv", "fitness_shares.csv", "best_genomes.csv",
-    "archives.csv", "claims.csv",         "columns.csv",  "parameters.csv",     "shape_diversity.csv",
-    "heredity.csv", "worlds.csv"};
+const std::vector<std::string> tables{"manifest.csv",        "settings.csv",   "runs.csv",
+                                      "curves.csv",          "endpoints.csv",  "entropy.csv",
+                                      "endpoint_paths.csv",  "outcomes.csv",   "fitness_shares.csv",
+                                      "best_genomes.csv",    "archives.csv",   "claims.csv",
+                                      "columns.csv",         "parameters.csv", "shape_diversity.csv",
+                                      "heredity.csv",        "worlds.csv",     "fitness_history.csv",
+                                      "endpoint_density.csv"};
 
 std::vector<Spec> three_settings() {
     return {fake_spec("ns", 12, 10, "novelty"), fake_spec("neat", 12, 10), fake_spec("other", 12, 10)};
@@ -74,6 +76,7 @@ BOOST_AUTO_TEST_CASE(little_data_give_every_table_and_open_claims) {
     BOOST_TEST(manifest.number("seeds_planned") == 20);
     BOOST_TEST(manifest.number("generations") == 0);
     BOOST_TEST(manifest.number("evaluations") == 6 * 12 * 10);
+    BOOST_TEST(manifest.text("endpoint_share") == "0.5");
     BOOST_TEST(manifest.number("evaluations_planned") == 3LL * 20 * 2000 * 300);
     BOOST_TEST(manifest.number("complete") == 0);
 }
@@ -90,6 +93,7 @@ BOOST_AUTO_TEST_CASE(a_setting_without_runs_has_no_rows) {
     BOOST_TEST(read_table<HeredityRow>(folder / "data").size() == 24u);
     BOOST_TEST(read_table<EndpointPathRow>(folder / "data").size() == 48u);
     BOOST_TEST(read_table<FitnessShareRow>(folder / "data").size() == 40u);
+    BOOST_TEST(read_table<FitnessHistoryRow>(folder / "data").size() == 480u);
     BOOST_TEST(read_table<ArchivePointRow>(folder / "data").size() == 12u);
 }
 

@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(frames_are_made_only_if_the_best_moves_as_recorded) {
     const std::vector<std::string> words{"frames", place.script(), "--data", data, "--out", out};
     const Said said = planula_says(words);
     BOOST_TEST(said.code == 0, said.err);
-    BOOST_TEST(lines(content(fs::path(out) / "frames.csv")) == 13);
+    BOOST_TEST(lines(content(fs::path(out) / "frames.csv")) == 19);
 
     const fs::path best = fs::path(data) / "best_genomes.csv";
     const std::string text = content(best);

@@ -8,7 +8,7 @@ groups = 'osc-aq osc-te grn-aq grn-te'
 titles = '"oscillators, water" "oscillators, land" "GRN, water" "GRN, land"'
 measures = 'heredity_fitness near_mother near_best'
 labels = '"correlation" "near mother (%)" "near best (%)"'
-last = manifest('generations') > 1 ? manifest('generations') - 1 : 1
+last = last_of('generations')
 set multiplot layout 3,4 margins 0.07,0.985,0.085,0.895 spacing 0.02,0.045
 set xrange [0:last]
 set xtics 0, generation_tics(last)
@@ -33,6 +33,7 @@ do for [row = 1:3] {
     do for [i = 1:4] {
         group = word(groups, i)
         if (row == 1) { set label panel_title(word('A B C D', i), word(titles, i)) at graph 0,1.1 left textcolor rgb ink }
+        set label lacks('heredity', group.'-neat').lacks('heredity', group.'-ns') at graph 0.5,0.5 center font ',7' textcolor rgb 0x777777
         set ylabel (i == 1 ? word(labels, row) : '') offset 0.8,0 textcolor rgb ink
         set xlabel (row == 3 ? 'generation' : '') offset 0,0.9 textcolor rgb ink
         if (i == 1) { set format y '%g' } else { set format y '' }
