@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cell/channels.h"
+#include "evaluation/observations.h"
 #include "parameters/parameters.h"
 #include "physics/environment.h"
 
@@ -26,7 +27,8 @@ struct Conditions {
     int refinement = 1;            // the number of physics steps of locomotion for each of the parameters'
     Nudge nudge;                   // none in any evolution
     std::optional<int>
-        held_from; // the muscles hold still from this step of locomotion on; none in any evolution
+        held_from;           // the muscles hold still from this step of locomotion on; none in any evolution
+    ObservationSet observed; // what lives tell beside their fields; decides none of these
     Parameters parameters;
 };
 

@@ -6,6 +6,7 @@
 #include "base/vec2.h"
 #include "body/outcome.h"
 #include "body/shape.h"
+#include "evaluation/observations.h"
 
 #include <span>
 #include <string_view>
@@ -16,16 +17,15 @@ namespace planula {
 struct Life {
 #define FIELD(type, name, initial, unit, known, meaning) type name = initial;
 #include "evaluation/life.inl"
+    /// Of the conditions' observations, what this life tells; no part of the digest.
+    Observations observations;
 
     /// |finish - rest|, the bare distance (Eq. 4); 0 unless viable.
     double displacement() const { return length(finish - rest); }
     bool operator==(const Life &) const = default;
 };
 
-/// The stage that a body must have passed before a field of its life is known. The outcome, known after growth, may
-/// still change in locomotion.
-enum class KnownAfter { growth, locomotion };
-
+/// A field is known after a stage; the outcome, known after growth, may still change in locomotion.
 struct LifeField {
     std::string_view name, unit, meaning;
     KnownAfter known;

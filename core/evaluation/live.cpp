@@ -3,12 +3,14 @@
 
 #include "base/hash.h"
 #include "development/grow.h"
+#include "evaluation/life_observer.h"
 #include "locomotion/trial.h"
 #include "network/network.h"
 #include "physics/embody.h"
 #include "physics/engine.h"
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,8 +19,10 @@ namespace planula {
 namespace {
 
 /// What growth alone decides of a life.
-Life life_of(const Growth &growth) {
+Life life_of(const Growth &growth, const Conditions &conditions) {
     Life life;
+    life.observations.known = conditions.observed;
+    if (conditions.observed.has(Observation::body)) life.observations.body = growth.body.positions;
     life.outcome = growth.outcome;
     life.cells = growth.cells;
     life.largest = growth.largest;
@@ -49,6 +53,9 @@ void copy_locomotion(const Life &known, Life &life) {
 #define FIELD(type, name, initial, unit, stage, meaning)                                                     \
     if (KnownAfter::stage == KnownAfter::locomotion) life.name = known.name;
 #include "evaluation/life.inl"
+#define OBSERVATION(type, name, initial, unit, stage, exists, meaning)                                       \
+    if (KnownAfter::stage == KnownAfter::locomotion) life.observations.name = known.observations.name;
+#include "evaluation/observations.inl"
 }
 
 } // namespace
@@ -57,7 +64,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     const Parameters &growing = conditions.parameters;
     const Network network = express(genome, growing.network.propagation_limit);
     const Growth growth = grow(network, conditions.actuation, growing, watch.grow);
-    Life life = life_of(growth);
+    Life life = life_of(growth, conditions);
     if (growth.outcome != Outcome::viable) return life;
     if (watch.born) watch.born(growth.body);
 
@@ -75,8 +82,10 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
     if (conditions.held_from) gait = hold(std::move(gait), *conditions.held_from * conditions.refinement);
     const auto engine = make_engine(conditions.engine);
+    std::optional<LifeObserver> observer;
+    if (!conditions.observed.empty()) observer.emplace(conditions.observed, moving);
     Trial trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
-                           watch.move);
+                           watch.move, observer ? &*observer : nullptr);
 
     // Of locomotion that ended early neither place nor distance is known.
     life.outcome = trial.outcome;
@@ -87,12 +96,13 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     life.activity = trial.activity;
     life.late_actuation = trial.late_actuation;
     life.path = std::move(trial.path);
+    if (observer) observer->finish(life.observations);
     return life;
 }
 
 Life develop(const Genome &genome, const Conditions &conditions) {
     const Network network = express(genome, conditions.parameters.network.propagation_limit);
-    return life_of(grow(network, conditions.actuation, conditions.parameters));
+    return life_of(grow(network, conditions.actuation, conditions.parameters), conditions);
 }
 
 } // namespace planula

@@ -43,6 +43,8 @@ class Muscles {
         }
         engine.actuate(extensions_, steps);
     }
+    /// Of all cells, at the coming knot.
+    std::span<const double> extensions() const { return extensions_; }
     /// By how much all signals have changed from knot to knot so far.
     double change() const { return std::accumulate(changes_.begin(), changes_.end(), 0.0); }
     /// The signals at this share of the way.
@@ -66,7 +68,8 @@ class Muscles {
 } // namespace
 
 Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
-               const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch) {
+               const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch,
+               TrialObserver *observer) {
     const GaitParameters &p = parameters.gait;
     Trial trial;
     engine.load(model, environment);
@@ -82,9 +85,11 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
     const int late = last_quarter(p.locomotion_steps, p.knot_interval);
     double before = 0; // change of signals before it
     if (watch) watch(0, engine.positions(), muscles.signals(1));
+    if (observer) observer->begin(model, environment, engine, muscles.signals(1));
     for (int start = 0; start < p.locomotion_steps; start += p.knot_interval) {
         if (start == late) before = muscles.change();
         muscles.reach(start + p.knot_interval, p.knot_interval, engine);
+        if (observer) observer->actuate(muscles.extensions(), p.knot_interval);
         for (int j = 1; j <= p.knot_interval; ++j) {
             const Motion motion = engine.step(0);
             if (motion.exploded || !gait.is_sound()) {
@@ -93,8 +98,9 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
             }
             const int t = start + j;
             if (t % p.path_interval == 0) trial.path.push_back(centre_of_mass(engine.positions()));
-            if (watch)
-                watch(t, engine.positions(), muscles.signals(static_cast<double>(j) / p.knot_interval));
+            const double share = static_cast<double>(j) / p.knot_interval;
+            if (watch) watch(t, engine.positions(), muscles.signals(share));
+            if (observer) observer->step(t, engine, muscles.signals(share));
         }
     }
     trial.finish = centre_of_mass(engine.positions());

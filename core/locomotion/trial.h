@@ -26,9 +26,23 @@ struct Trial {
 using MoveWatch =
     std::function<void(int step, std::span<const Vec2d> positions, std::span<const double> signal)>;
 
+/// Is told what happens in a trial, and changes nothing of it. What it is handed outlives the trial.
+class TrialObserver {
+  public:
+    virtual ~TrialObserver() = default;
+    /// The body is at rest: locomotion begins. With each cell's signal.
+    virtual void begin(const SoftBodyModel &model, const Environment &environment, const Engine &engine,
+                       std::span<const double> signal) = 0;
+    /// As of Engine::actuate(): what the muscles do in the steps that follow.
+    virtual void actuate(std::span<const double> extensions, int steps) = 0;
+    /// After step t of locomotion, from 1 on.
+    virtual void step(int t, const Engine &engine, std::span<const double> signal) = 0;
+};
+
 /// Loads the body into the engine, lets it settle if there is gravity, and moves it for locomotion_steps. Of the
 /// parameters it reads those of settling and gait.
 Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
-               const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch = {});
+               const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch = {},
+               TrialObserver *observer = nullptr);
 
 } // namespace planula

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "physics/laws/contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,19 @@ double ground_height(const Environment &environment, double x) {
                                         [](double value, Vec2d point) { return value < point.x; });
     const Vec2d a = *(right - 1), b = *right;
     return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
+}
+
+bool is_at_ground(const Environment &environment, Vec2d point, double reach) {
+    if (!environment.has_ground) return false;
+    if (point.y - ground_height(environment, point.x) < reach) return true;
+    // Beside a slope or a wall: the pieces within reach to the left and to the right.
+    const auto &ground = environment.ground;
+    auto right = std::lower_bound(ground.begin(), ground.end(), point.x - reach,
+                                  [](Vec2d each, double value) { return each.x < value; });
+    if (right == ground.begin() && right != ground.end()) ++right;
+    for (; right != ground.end() && (right - 1)->x <= point.x + reach; ++right)
+        if (length(point - foot_on_segment(point, *(right - 1), *right).point) < reach) return true;
+    return false;
 }
 
 } // namespace planula

@@ -28,4 +28,7 @@ void check_environment(const Environment &environment);
 /// Height of the ground below x; the environment must have ground.
 double ground_height(const Environment &environment, double x);
 
+/// Whether a point lies below the ground or less than `reach` from it; never where there is none.
+bool is_at_ground(const Environment &environment, Vec2d point, double reach);
+
 } // namespace planula

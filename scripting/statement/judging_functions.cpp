@@ -271,11 +271,11 @@ JudgingFunctions::Verdict JudgingFunctions::judge_twice(const Life &life) {
     return verdict;
 }
 
-void JudgingFunctions::try_out() {
+void JudgingFunctions::try_out(const ObservationSet &observed) {
     begin_run();
     const KnownAfter known = stage_ == Stage::growth ? KnownAfter::growth : KnownAfter::locomotion;
     for (std::size_t i = 0; i < outcome_names.size(); ++i) {
-        const Life life = example_life(static_cast<Outcome>(i), known, parameters_);
+        const Life life = example_life(static_cast<Outcome>(i), known, parameters_, observed);
         functions_->judge(life);
         const Verdict verdict = judge_twice(life);
         if (verdict.wrong_kind)

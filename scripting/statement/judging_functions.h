@@ -38,9 +38,12 @@ class JudgingFunctions {
                      Stage stage = Stage::life);
     ~JudgingFunctions();
 
-    /// Judges one example of each outcome. Throws InputError if a function raises an error, returns a value of another
-    /// kind, or judges the same life differently the second time.
-    void try_out();
+    /// The number of their setting in the script, from 0.
+    int setting() const { return index_; }
+
+    /// Judges one example of each outcome, with these observations. Throws InputError if a function raises an error,
+    /// returns a value of another kind, or judges the same life differently the second time.
+    void try_out(const ObservationSet &observed = {});
 
     /// Begins a run: fresh functions, nothing counted.
     void begin_run();

@@ -75,6 +75,7 @@ class Walk {
         return {name, hash_.hex(), place};
     }
     const std::set<std::string_view> &parameters() const { return parameters_; }
+    const std::set<std::string_view> &fields() const { return fields_; }
 
   private:
     enum Place { objects = 1, library, all_modules, bottom = all_modules }; // on the stack
@@ -128,12 +129,21 @@ class Walk {
         else
             hash_.text(value);
         note(value);
+        note_field(value);
     }
 
     // Keeps a word that is the name of a parameter.
     void note(std::string_view word) {
         for (const ParameterRow &row : parameter_rows())
             if (row.name == word) parameters_.insert(row.name);
+    }
+
+    // Keeps a word that is the name of something that a life tells.
+    void note_field(std::string_view word) {
+        for (const LifeField &field : life_fields())
+            if (field.name == word) fields_.insert(field.name);
+        for (const ObservationRow &row : observation_rows())
+            if (row.name == word) fields_.insert(row.name);
     }
 
     static std::string_view name_at(lua_State *L, int index) {
@@ -268,9 +278,12 @@ class Walk {
         const std::vector<Token> body =
             body_of_function(sources_.all().at(origin->source).tokens, origin->word);
         Hash words;
+        std::string_view before;
         for (const Token &token : body) {
             words.number(static_cast<int>(token.kind)).text(token.word);
             note(token.word);
+            if (before == "." || token.kind == Token::Kind::text) note_field(token.word);
+            before = token.word;
         }
         text.sha256 = words.hex();
         text.requirements = requirements_of(body);
@@ -295,7 +308,7 @@ class Walk {
     std::vector<Key> keys_;
     std::vector<Upvalue> upvalues_;
     std::map<Origin, Text> texts_;
-    std::set<std::string_view> parameters_; // whose names were met
+    std::set<std::string_view> parameters_, fields_; // whose names were met
 };
 
 } // namespace
@@ -313,6 +326,7 @@ const Meanings::Known &Meanings::of_function(int function, const std::string &na
         Walk walk(sources_, *by_line_, lua_, function);
         known->second.meaning = walk.named(name);
         known->second.parameters = walk.parameters();
+        known->second.fields = walk.fields();
     }
     return known->second;
 }
@@ -342,6 +356,27 @@ bool Meanings::mentions(std::size_t index, std::string_view parameter) {
     bool found = false;
     visit_functions(index, [&](const std::string &, const Known &function) {
         found = found || function.parameters.contains(parameter);
+    });
+    return found;
+}
+
+ObservationSet Meanings::observed(std::size_t index) {
+    ObservationSet observed;
+    visit_functions(index, [&](const std::string &, const Known &function) {
+        int number = 0;
+        for (const ObservationRow &row : observation_rows()) {
+            if (function.fields.contains(row.name)) observed.add(static_cast<Observation>(number));
+            ++number;
+        }
+    });
+    return observed;
+}
+
+std::string Meanings::reads_without(std::size_t index, std::string_view field, std::string_view parameter) {
+    std::string found;
+    visit_functions(index, [&](const std::string &name, const Known &function) {
+        if (found.empty() && function.fields.contains(field) && !function.parameters.contains(parameter))
+            found = function.meaning.place + ": " + name;
     });
     return found;
 }

@@ -39,12 +39,19 @@ class Meanings {
     /// Whether the functions of this setting may read a parameter: its name is among their words, or in a text that
     /// they reach. Throws as of_setting() does.
     bool mentions(std::size_t index, std::string_view parameter);
+    /// The observations that they may read: those whose names follow a full stop in their words, as in life.work, or
+    /// are texts that they reach. Throws as of_setting() does.
+    ObservationSet observed(std::size_t index);
+    /// The first function that reads this field of a life but not this parameter, as "file.lua:12: fitness"; "" if none
+    /// does. Throws as of_setting() does.
+    std::string reads_without(std::size_t index, std::string_view field, std::string_view parameter);
 
   private:
     /// A function that was read.
     struct Known {
         FunctionMeaning meaning;
         std::set<std::string_view> parameters; // that it mentions
+        std::set<std::string_view> fields;     // of a life: those that it mentions
     };
     using Visit = std::function<void(const std::string &name, const Known &function)>;
     const Known &of_function(int function, const std::string &name);

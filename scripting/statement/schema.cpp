@@ -66,7 +66,8 @@ class Schema {
         for (const auto *all : {&experiment_.functions, &start_functions_})
             for (const auto &functions : *all) {
                 try {
-                    functions->try_out();
+                    const auto setting = static_cast<std::size_t>(functions->setting());
+                    functions->try_out(experiment_.settings[setting].observed);
                 } catch (const InputError &error) {
                     problems_.add(error.what());
                 }
@@ -212,10 +213,32 @@ class Schema {
         for (std::size_t i = 0; i < experiment_.settings.size(); ++i) {
             try {
                 experiment_.settings[i].judgement = meanings.of_setting(i);
+                experiment_.settings[i].observed = observed_in(experiment_.settings[i], meanings.observed(i));
+                check_activity(experiment_.settings[i],
+                               meanings.reads_without(i, "activity", "activity_bonus"));
             } catch (const InputError &error) {
                 problems_.add(error.what());
             }
         }
+    }
+
+    // Of what the functions read, what this setting has.
+    static ObservationSet observed_in(const Spec &spec, const ObservationSet &read) {
+        ObservationSet observed;
+        int number = 0;
+        for (const ObservationRow &row : observation_rows()) {
+            const auto one = static_cast<Observation>(number++);
+            if (read.has(one) && (!row.exists.holds || row.exists.holds(spec))) observed.add(one);
+        }
+        return observed;
+    }
+
+    // With oscillators Eq. (4) has no bonus, so that activity is 0 there and means no effort (decision 0026).
+    void check_activity(const Spec &spec, const std::string &reader) {
+        if (spec.actuation == Actuation::oscillator && !reader.empty())
+            problems_.add(
+                reader + " reads life.activity, which is 0 with oscillators: it counts the changes of " +
+                "gene networks, for the bonus of Eq. 4 alone; life.work is the work that muscles did");
     }
 
     void read_statistics_of(Reader &reader) {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +18,7 @@ namespace planula {
 namespace {
 
 const char *const life_type = "planula.life";
-const char *const path_type = "planula.path";
+const char *const list_type = "planula.list";
 const char *const point_type = "planula.point";
 
 void push_point(lua_State *L, Vec2d point) {
@@ -25,40 +27,68 @@ void push_point(lua_State *L, Vec2d point) {
     lua_setmetatable(L, -2);
 }
 
-struct Field {
-    std::string_view name;
-    KnownAfter known;
-    void (*push)(lua_State *L, const Life &life, int self);
+// Finds a list in a life.
+using ListIn = const void *(*)(const Life &life);
+
+// A list of a life: of points, of numbers, of lists of numbers, or one of the latter. It shows the same slot as the
+// life itself, so it ends with it.
+struct List {
+    enum Kind { points, numbers, rows, row };
+    LifeSlot *slot;
+    ListIn in;
+    const char *name;
+    Kind kind;
+    std::size_t row_index;
 };
 
-void push(lua_State *L, double value, int) { lua_pushnumber(L, value); }
-void push(lua_State *L, Outcome value, int) { lua_pushstring(L, name_of(value)); }
-void push(lua_State *L, Vec2d value, int) { push_point(L, value); }
-
-// The path shows the same slot as the life itself, so it ends with it.
-void push(lua_State *L, const std::vector<Vec2d> &, int self) {
-    void *slot = lua_touserdata(L, self);
-    *static_cast<LifeSlot **>(lua_newuserdata(L, sizeof(LifeSlot *))) = static_cast<LifeSlot *>(slot);
-    luaL_getmetatable(L, path_type);
+void push_list(lua_State *L, int self, const List &list) {
+    *static_cast<List *>(lua_newuserdata(L, sizeof(List))) = list;
+    luaL_getmetatable(L, list_type);
     lua_setmetatable(L, -2);
-    // The path keeps the life's userdata alive.
+    // The list keeps the life's userdata alive.
     lua_createtable(L, 1, 0);
     lua_pushvalue(L, self);
     lua_rawseti(L, -2, 1);
     lua_setfenv(L, -2);
 }
 
-// By name: the fields of life.inl that scripts see, and the displacement, which follows from them.
+constexpr List::Kind kind_of(const std::vector<Vec2d> &) { return List::points; }
+constexpr List::Kind kind_of(const std::vector<double> &) { return List::numbers; }
+constexpr List::Kind kind_of(const Samples &) { return List::rows; }
+
+struct Field {
+    std::string_view name;
+    KnownAfter known;
+    std::optional<Observation> observation;
+    void (*push)(lua_State *L, const Life &life, int self);
+};
+
+void push(lua_State *L, double value, int, const char *, ListIn) { lua_pushnumber(L, value); }
+void push(lua_State *L, Outcome value, int, const char *, ListIn) { lua_pushstring(L, name_of(value)); }
+void push(lua_State *L, Vec2d value, int, const char *, ListIn) { push_point(L, value); }
+template <class T>
+void push(lua_State *L, const std::vector<T> &value, int self, const char *name, ListIn in) {
+    push_list(L, self, {static_cast<LifeSlot *>(lua_touserdata(L, self)), in, name, kind_of(value), 0});
+}
+
+// By name: the fields of life.inl that scripts see, the displacement, which follows from them, and the observations.
 const std::vector<Field> &fields() {
     static const std::vector<Field> by_name = [] {
         std::vector<Field> all{
-            {"displacement", KnownAfter::locomotion,
-             [](lua_State *L, const Life &life, int self) { push(L, life.displacement(), self); }}};
+            {"displacement", KnownAfter::locomotion, std::nullopt,
+             [](lua_State *L, const Life &life, int) { lua_pushnumber(L, life.displacement()); }}};
+#define PUSH(member, name)                                                                                   \
+    [](lua_State *L, const Life &life, int self) {                                                           \
+        push(L, life.member, self, #name, [](const Life &of) -> const void * { return &of.member; });        \
+    }
 #define FIELD(type, name, initial, unit, known, meaning)                                                     \
-    all.push_back({#name, KnownAfter::known,                                                                 \
-                   [](lua_State *L, const Life &life, int self) { push(L, life.name, self); }});
+    all.push_back({#name, KnownAfter::known, std::nullopt, PUSH(name, name)});
 #define HIDDEN_FIELD(...)
 #include "evaluation/life.inl"
+#define OBSERVATION(type, name, initial, unit, known, exists, meaning)                                       \
+    all.push_back({#name, KnownAfter::known, Observation::name, PUSH(observations.name, name)});
+#include "evaluation/observations.inl"
+#undef PUSH
         std::sort(all.begin(), all.end(), [](const Field &a, const Field &b) { return a.name < b.name; });
         return all;
     }();
@@ -84,6 +114,16 @@ const Life &life_in(const LifeSlot &slot) {
     return *slot.life;
 }
 
+// An observation that this life was not asked for.
+[[noreturn]] void refuse_observation(Observation one) {
+    const ObservationRow &row = observation_rows()[static_cast<std::size_t>(one)];
+    const std::string name = "life." + std::string(row.name);
+    throw InputError(name +
+                     (row.exists.holds ? " exists only " + std::string(row.exists.where) + ", and" : "") +
+                     " is computed only for functions that name it: write " + name +
+                     " where it is read, not a name that is computed");
+}
+
 int life_index(lua_State *L) {
     const auto &slot = *static_cast<LifeSlot *>(luaL_checkudata(L, 1, life_type));
     const Life &life = life_in(slot);
@@ -95,6 +135,8 @@ int life_index(lua_State *L) {
         throw InputError("life." + std::string(key) +
                          " is known only after a body has moved; a start judges by growth alone (allowed: " +
                          list_of(field_names(true)) + ")");
+    if (field->observation && !life.observations.known.has(*field->observation))
+        refuse_observation(*field->observation);
     return field->push(L, life, 1), 1;
 }
 
@@ -106,23 +148,38 @@ int point_index(lua_State *L) {
     refuse_field(L, "a point", {"x", "y"});
 }
 
-const Life &life_of_path(lua_State *L) {
-    return life_in(**static_cast<LifeSlot **>(luaL_checkudata(L, 1, path_type)));
+const List &list_at_1(lua_State *L) { return *static_cast<List *>(luaL_checkudata(L, 1, list_type)); }
+
+template <class T> const std::vector<T> &values_of(const List &list) {
+    return *static_cast<const std::vector<T> *>(list.in(life_in(*list.slot)));
 }
 
-int path_index(lua_State *L) {
-    const Life &life = life_of_path(L);
+std::size_t size_of(const List &list) {
+    if (list.kind == List::points) return values_of<Vec2d>(list).size();
+    if (list.kind == List::numbers) return values_of<double>(list).size();
+    const Samples &rows = values_of<std::vector<double>>(list);
+    return list.kind == List::rows ? rows.size() : rows.at(list.row_index).size();
+}
+
+int list_index(lua_State *L) {
+    const List &list = list_at_1(L);
+    const double size = static_cast<double>(size_of(list));
     if (lua_type(L, 2) != LUA_TNUMBER)
-        return luaL_error(L, "life.path is a list of points: path[1] … path[#path]");
-    const double index = lua_tonumber(L, 2);
-    if (!(index >= 1 && index <= static_cast<double>(life.path.size())) || index != std::floor(index))
-        return lua_pushnil(L), 1;
-    push_point(L, life.path[static_cast<std::size_t>(index) - 1]);
+        return luaL_error(L, "life.%s is a list%s: %s[1] … %s[#%s]", list.name,
+                          list.kind == List::points ? " of points" : "", list.name, list.name, list.name);
+    const double number = lua_tonumber(L, 2);
+    if (!(number >= 1 && number <= size) || number != std::floor(number)) return lua_pushnil(L), 1;
+    const std::size_t index = static_cast<std::size_t>(number) - 1;
+    if (list.kind == List::points) push_point(L, values_of<Vec2d>(list)[index]);
+    if (list.kind == List::numbers) lua_pushnumber(L, values_of<double>(list)[index]);
+    if (list.kind == List::row)
+        lua_pushnumber(L, values_of<std::vector<double>>(list)[list.row_index][index]);
+    if (list.kind == List::rows) push_list(L, 1, {list.slot, list.in, list.name, List::row, index});
     return 1;
 }
 
-int path_length(lua_State *L) {
-    lua_pushnumber(L, static_cast<double>(life_of_path(L).path.size()));
+int list_length(lua_State *L) {
+    lua_pushnumber(L, static_cast<double>(size_of(list_at_1(L))));
     return 1;
 }
 
@@ -132,7 +189,7 @@ int refuse_write(lua_State *L) { return luaL_error(L, "a life is read-only"); }
 
 void wrap_life(lua_State *L) {
     const std::pair<const char *, lua_CFunction> types[] = {
-        {life_type, gate<life_index>}, {path_type, gate<path_index>}, {point_type, gate<point_index>}};
+        {life_type, gate<life_index>}, {list_type, gate<list_index>}, {point_type, gate<point_index>}};
     for (const auto &[type, index] : types) {
         luaL_newmetatable(L, type);
         lua_pushcfunction(L, index);
@@ -141,8 +198,8 @@ void wrap_life(lua_State *L) {
         lua_setfield(L, -2, "__newindex");
         lua_pushboolean(L, 0);
         lua_setfield(L, -2, "__metatable");
-        if (type == path_type) {
-            lua_pushcfunction(L, gate<path_length>);
+        if (type == list_type) {
+            lua_pushcfunction(L, gate<list_length>);
             lua_setfield(L, -2, "__len");
         }
         lua_pop(L, 1);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // life: what judging functions see of a finished life, read-only: the fields of evaluation/life.inl that are not
-// hidden, and `displacement`. A point is {x, y}; `path` is a list of points. Any other name is an error with the
-// nearest one. So is, for a life that ended with development, a field that is known only after locomotion.
+// hidden, `displacement`, and the observations (evaluation/observations.inl) that the life was asked for. A point is
+// {x, y}; `path` is a list of points, `signals` a list of lists. Any other name is an error with the nearest one. So is
+// an observation that was not asked for, and, for a life that ended with development, what is known only after
+// locomotion.
 #pragma once
 
 #include "evaluation/life.h"

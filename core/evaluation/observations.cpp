@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "evaluation/observations.h"
+
+#include <iterator>
+
+namespace planula {
+
+namespace {
+
+constexpr ObservationRow rows[] = {
+#define OBSERVATION(type, name, initial, unit, known, exists, meaning)                                       \
+    {#name, unit, meaning, KnownAfter::known, exists},
+#include "evaluation/observations.inl"
+};
+static_assert(std::size(rows) <= 64, "an ObservationSet has 64 bits");
+
+} // namespace
+
+std::span<const ObservationRow> observation_rows() { return rows; }
+
+} // namespace planula
