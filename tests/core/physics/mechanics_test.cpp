@@ -3,6 +3,7 @@
 #include "physics/engine.h"
 
 #include "physics/embody.h"
+#include "physics/energy.h"
 #include "support/motion.h"
 #include "support/print.h"
 #include "support/specimens.h"
@@ -23,25 +24,9 @@ SoftBodyModel stretched(SoftBodyModel model, double along, double across) {
     return model;
 }
 
-/// Stored in springs with these rest lengths and in the pressure of triangles.
-double stored_energy(const SoftBodyModel &model, std::span<const double> rest_lengths,
-                     std::span<const Vec2d> x) {
-    const BodyParameters &p = model.body;
-    double sum = 0;
-    for (std::size_t i = 0; i < model.links.size(); ++i) {
-        const double stretch = length(x[model.links[i].b] - x[model.links[i].a]) - rest_lengths[i];
-        sum += 0.5 * p.spring_stiffness * stretch * stretch;
-    }
-    for (std::size_t i = 0; i < model.triangles.size(); ++i) {
-        const auto [a, b, c] = model.triangles[i];
-        const double loss = model.areas[i] - 0.5 * cross(x[b] - x[a], x[c] - x[a]);
-        sum += 0.5 * p.pressure_stiffness / std::max(model.areas[i], p.area_floor) * loss * loss;
-    }
-    return sum;
-}
-
 double energy(const SoftBodyModel &model, const Engine &engine) {
-    return kinetic_energy(engine.velocities()) + stored_energy(model, model.rest_lengths, engine.positions());
+    return kinetic_energy(engine.velocities()) +
+           elastic_energy(model, model.rest_lengths, engine.positions());
 }
 
 /// Σ F·v.
@@ -103,7 +88,7 @@ Ledger ledger_of(std::string_view name, const SoftBodyModel &model) {
         const std::vector<double> extensions = swinging(model, t * dt);
         const std::vector<double> next = lengths_under(extensions, model);
         ledger.work +=
-            stored_energy(model, next, nodes.positions) - stored_energy(model, lengths, nodes.positions);
+            elastic_energy(model, next, nodes.positions) - elastic_energy(model, lengths, nodes.positions);
         lengths = next;
         // Water and the damping of springs take energy: the latter is what velocities add to springs.
         std::vector<Vec2d> moving(nodes.positions.size()), resting(moving.size());
@@ -113,7 +98,8 @@ Ledger ledger_of(std::string_view name, const SoftBodyModel &model) {
         step_with(extensions, *engine);
         ledger.heat += (power(resting, nodes.velocities) - power(moving, nodes.velocities)) * dt;
     }
-    ledger.stored = kinetic_energy(engine->velocities()) + stored_energy(model, lengths, engine->positions());
+    ledger.stored =
+        kinetic_energy(engine->velocities()) + elastic_energy(model, lengths, engine->positions());
     return ledger;
 }
 

@@ -53,6 +53,35 @@ BOOST_AUTO_TEST_CASE(a_function_sees_the_whole_life) {
                           "life.settle_steps + life.activity + life.late_actuation") == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_function_sees_what_a_life_was_asked_for) {
+    Life life = life_at(8);
+    life.observations.known.add(Observation::work);
+    life.observations.known.add(Observation::signals);
+    life.observations.known.add(Observation::gait_phases);
+    life.observations.work = 3;
+    life.observations.signals = {{1, 2}, {3, 4}, {5, 6}};
+    life.observations.gait_phases = {0, 0.25};
+    JudgingFunctions functions(
+        with("fitness = function(life) local s = life.signals\n"
+             "return life.work + 10 * #s + 100 * s[3][2] + 1000 * life.gait_phases[2] + "
+             "(s[4] == nil and s[1][3] == nil and #s[2] or 0) end"),
+        0, {});
+    BOOST_TEST(functions.judge(life).fitness == 3 + 30 + 600 + 250 + 2);
+    BOOST_TEST(functions.invalid() == 0, functions.first_problem());
+}
+
+BOOST_AUTO_TEST_CASE(what_a_life_was_not_asked_for_cannot_be_read) {
+    JudgingFunctions functions(with("fitness = function(life) return life['wo' .. 'rk'] end"), 0, {});
+    BOOST_TEST(!functions.judge(life_at(8)).valid());
+    BOOST_TEST(
+        test::contains(functions.first_problem(),
+                       "test.lua:4: life.work is computed only for functions that name it: write life.work"),
+        functions.first_problem());
+    BOOST_TEST(test::contains(trial("fitness = function(life) return life.wrk end"), "did you mean 'work'?"));
+    BOOST_TEST(test::contains(trial("fitness = function(life) return life.signals.x end"), "life has no") ==
+               false);
+}
+
 BOOST_AUTO_TEST_CASE(a_function_sees_the_parameters_of_its_setting) {
     BOOST_TEST(fitness_of("parameters.cell_limit") == 256);
     BOOST_TEST(fitness_of("parameters.gait_time == 'held' and 1 or 0") == 1);

@@ -339,6 +339,32 @@ BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
     BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));
 }
 
+BOOST_AUTO_TEST_CASE(a_setting_observes_what_its_functions_name) {
+    const auto observed = [](const std::string &fitness, const std::string &before = "") {
+        return experiment(before + "\nreturn paper.experiment { name = 'x', fitness = " + fitness + " }")
+            .settings[0]
+            .observed;
+    };
+    ObservationSet work;
+    work.add(Observation::work);
+    BOOST_TEST((observed("paper.judgement.fitness").empty()));
+    BOOST_TEST((observed("function(life) return life.work end") == work));
+    BOOST_TEST((observed("function(life) return life['work'] end") == work));
+    BOOST_TEST((observed("function(life) return cost(life) end",
+                         "local function cost(life) return life.work end") == work));
+    BOOST_TEST((observed("function(life) local work = 1 return work end").empty()));
+}
+
+BOOST_AUTO_TEST_CASE(activity_is_refused_with_oscillators_unless_eq_4_weights_it) {
+    const std::string read = "fitness = function(life) return life.activity end";
+    BOOST_TEST(test::contains(refused_body(read), "test.lua:3: fitness reads life.activity, which is 0 with "
+                                                  "oscillators"),
+               refused_body(read));
+    BOOST_TEST(test::contains(refused_body(read), "life.work"));
+    BOOST_TEST(refused_body(read + ", actuation = 'grn'") == "");
+    BOOST_TEST(refused_body("fitness = paper.judgement.fitness") == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_start_that_reads_what_only_moving_bodies_have_is_refused_on_its_line) {
     const auto start = [](const std::string &result) {
         return refused_body("start = { generations = 2, behaviour = function(life)\nreturn " + result +
