@@ -114,6 +114,11 @@ sensitivity: program ## halve and double every assumed value for evolved animats
 # The first seed of the paper's design at its own population.
 SENSITIVITY_RUNS = $(OUT)/runs/replication-300
 
+# Gene networks and oscillators, water and land, both searches; small bodies of generation 0 and evolved ones.
+specimens: ## take the specimens of `planula check` from the tracked runs: experiments/specimens.csv
+	@bash data/specimens.sh > experiments/specimens.csv.new; mv experiments/specimens.csv.new experiments/specimens.csv
+	@echo 'specimens: experiments/specimens.csv'
+
 searches: program ## compare five searches at equal numbers of evaluations: build/data/searches.csv
 	@$(PLANULA) run experiments/searches.lua --out $(OUT)/runs/searches
 	@rm -rf $(OUT)/searches $(OUT)/data.new
@@ -227,7 +232,7 @@ deps: ## install the packages to build and test
 deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity searches readings readings-tables \
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables \
         build program signature verify-signature torture test-cluster benchmarks power bench instructions lint architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------

@@ -85,4 +85,6 @@ std::string why_unread(const ParameterRow &row, const Spec &spec) {
     return why_search_does_not_read(row, spec);
 }
 
+bool reads_behaviour(const Spec &spec) { return !has_search(spec, {"neat"}); }
+
 } // namespace planula

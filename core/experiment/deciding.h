@@ -23,4 +23,7 @@ std::string why_not_shown(std::string_view name);
 /// may read it. The setting's judging functions may read it all the same.
 std::string why_unread(const ParameterRow &row, const Spec &spec);
 
+/// Whether the setting's search reads the behaviour of individuals.
+bool reads_behaviour(const Spec &spec);
+
 } // namespace planula

@@ -293,6 +293,14 @@ std::vector<Token> body_of_function(std::span<const Token> tokens, std::size_t p
     return body;
 }
 
+std::string_view text_of_function(std::span<const Token> tokens, std::size_t place) {
+    const std::size_t end = std::min(closing(tokens, place), tokens.size() - 1);
+    while (place < end && !is_symbol(tokens[place], "(")) ++place;
+    const std::string_view last = tokens[end].word;
+    const char *const begin = tokens[place].word.data();
+    return {begin, static_cast<std::size_t>(last.data() + last.size() - begin)};
+}
+
 int line_of_entry(std::span<const Token> tokens, int line, std::span<const Step> path) {
     std::size_t open = 0;
     while (open < tokens.size() && tokens[open].line < line) ++open;

@@ -42,6 +42,9 @@ std::size_t function_before(std::span<const Token> tokens, int line);
 /// What the function at that place computes: its parameters and its body, without its name. A separator before
 /// a closing brace is left out.
 std::vector<Token> body_of_function(std::span<const Token> tokens, std::size_t place);
+/// The source of the function at that place as it is written, from the parenthesis before its parameters to its last
+/// word.
+std::string_view text_of_function(std::span<const Token> tokens, std::size_t place);
 
 /// One step into a table constructor: by name, or, if the name is empty, by position from 1.
 struct Step {

@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "program/forecast.h"
 
-#include "base/state.h"
 #include "base/text.h"
-#include "experiment/run.h"
-#include "experiment/run_state.h"
-#include "experiment/sample.h"
 #include "program/commands.h"
+#include "program/cost.h"
 #include "program/interrupt.h"
 #include "program/progress.h"
-#include "record/kept_state.h"
-#include "record/run_tables.h"
-#include "storage/packed.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <iomanip>
 #include <ostream>
-#include <sstream>
-
-#include <sys/resource.h>
 
 namespace planula {
 
@@ -28,120 +17,6 @@ namespace {
 
 constexpr int measured_generations = 11; // generation 0, which is unlike the others, and ten more
 constexpr double megabyte = 1e6;
-
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// The most memory that this process has held so far, in MB.
-double peak_megabytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) * 1024 / megabyte;
-}
-
-double packed_size(const std::string &text) { return static_cast<double>(pack(text).size()); }
-
-/// What the measured generations of a setting cost.
-struct Measured {
-    double seconds = 0; // of processor time, after generation 0
-    std::int64_t evaluations = 0;
-    RowTexts rows;          // of these generations, all individuals
-    int generations = 0;    // after generation 0, or 1 if there is no other
-    double state_bytes = 0; // of a saved state
-    double archive = 0;     // entries of the archive, in a generation
-};
-
-Measured measure(const Spec &setting, std::uint64_t seed, int threads, const StopRequest &stop,
-                 Progress &progress) {
-    Spec spec = setting;
-    spec.record = Recording::full;
-    spec.parameters.design.generations =
-        std::min(measured_generations, setting.parameters.design.generations);
-    const bool is_short = spec.parameters.design.generations == 1;
-    Measured measured;
-    double began = processor_seconds();
-    RunState state = begin(spec, seed, threads, stop);
-    const auto observe = [&](const Generation &generation) {
-        progress.generation(spec.name, generation.number, spec.parameters.design.generations,
-                            generation.evaluations[generation.best].fitness, spec.parameters.neat.population);
-        if (generation.number == 0 && !is_short) {
-            began = processor_seconds();
-            return;
-        }
-        ++measured.generations;
-        measured.seconds = std::max(processor_seconds() - began, 1e-6); // the clock's resolution
-        measured.evaluations += static_cast<std::int64_t>(generation.lives.size());
-        const RowTexts rows = row_texts(generation, spec, seed, false);
-        for (std::size_t i = 0; i < rows.size(); ++i) measured.rows[i] += rows[i];
-        measured.archive = static_cast<double>(generation.search.archive().size()) / (generation.number + 1);
-    };
-    run(
-        spec, seed, threads, state, observe, [](const RunState &) {}, stop);
-    StateWriter saved;
-    save(state, saved);
-    measured.state_bytes = packed_size(saved.bytes());
-    return measured;
-}
-
-/// Individuals that a run of this setting records.
-double recorded_individuals(const Spec &setting) {
-    const Parameters &p = setting.parameters;
-    if (setting.record == Recording::full)
-        return static_cast<double>(p.neat.population) * p.design.generations;
-    double individuals = 0;
-    for (int generation = 0; generation < p.design.generations; ++generation)
-        individuals += p.neat.population *
-                       sample_share(recorded_share, recorded_least, p.neat.population, generation + 1);
-    return individuals;
-}
-
-/// Saved states of a complete run: those kept permanently, and the one before the last generation.
-int kept_states(int generations) {
-    int states = 1;
-    for (int generation = 1; generation < generations - 1; ++generation)
-        states += is_kept_generation(generation);
-    return states;
-}
-
-/// What a run of a setting costs.
-struct Cost {
-    double core_seconds = 0, table_bytes = 0, state_bytes = 0, journal_bytes = 0, archive_bytes = 0;
-};
-
-Cost cost_of(const Spec &setting, const Measured &measured) {
-    const Parameters &p = setting.parameters;
-    const double each = 1.0 / measured.generations;
-    Cost cost;
-    cost.core_seconds = measured.seconds / static_cast<double>(measured.evaluations) * p.neat.population *
-                        p.design.generations;
-    for (std::size_t i = 0; i < run_tables.size(); ++i) {
-        const std::string &rows = measured.rows[i];
-        double generations = p.design.generations * each;
-        if (run_tables[i] == IndividualRow::file_name)
-            generations = recorded_individuals(setting) / p.neat.population * each;
-        const bool is_packed = run_tables[i].ends_with(".gz");
-        constexpr double gzip = 1.1; // times as much as pack() makes of individuals
-        cost.table_bytes +=
-            (is_packed ? gzip * packed_size(rows) : static_cast<double>(rows.size())) * generations;
-        cost.journal_bytes += static_cast<double>(rows.size()) * generations;
-    }
-    constexpr double link_bytes = 140; // of a row of chain.csv
-    cost.table_bytes += link_bytes * p.design.generations;
-    cost.state_bytes = measured.state_bytes * kept_states(p.design.generations);
-    constexpr double entry_bytes = 200; // in memory, its place in the index included
-    cost.archive_bytes = measured.archive * entry_bytes * p.design.generations;
-    return cost;
-}
-
-std::string long_time(double seconds) {
-    constexpr double day = 86400;
-    if (seconds < 2 * day) return duration_text(seconds);
-    return to_fixed(seconds / day, 1) + " days";
-}
-
-std::string size_text(double bytes) {
-    if (bytes < 100 * megabyte) return to_fixed(bytes / megabyte, 1) + " MB";
-    return to_fixed(bytes / (1000 * megabyte), 2) + " GB";
-}
 
 class Forecast {
   public:
@@ -176,8 +51,15 @@ class Forecast {
         Progress progress(console_.err, console_.terminal, evaluations);
         for (const std::size_t i : settings_) {
             const SettingForRun own = setting_for_run(experiment_, i);
+            const Parameters &p = own.spec.parameters;
+            const auto show = [&](const Generation &generation) {
+                progress.generation(own.spec.name, generation.number,
+                                    std::min(measured_generations, p.design.generations),
+                                    generation.evaluations[generation.best].fitness, p.neat.population);
+            };
             measured_.push_back(measure(
-                own.spec, runs_.front().seed, threads_, [&] { return interrupt.requested(); }, progress));
+                own.spec, runs_.front().seed, measured_generations, threads_,
+                [&] { return interrupt.requested(); }, show));
             costs_.push_back(cost_of(own.spec, measured_.back()));
         }
         for (const PlannedRun &run : runs_) {

@@ -286,14 +286,19 @@ void JudgingFunctions::try_out(const ObservationSet &observed) {
     begin_run();
 }
 
-Evaluation JudgingFunctions::judge(const Life &life) {
-    const Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
+JudgingFunctions::Tried JudgingFunctions::try_on(const Life &life) {
+    Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
     if (functions_->interval() > 1 && (is_sample(calls_) || calls_ % functions_->interval() == 0))
         check_unchanged();
     if (verdict.exhausted == Exhausted::memory || verdict.exhausted == Exhausted::seconds)
         throw InputError(verdict.problem);
-    if (!verdict.problem.empty() && invalid_++ == 0) first_problem_ = verdict.problem;
-    return verdict.evaluation;
+    return {std::move(verdict.evaluation), std::move(verdict.problem), verdict.wrong_kind};
+}
+
+Evaluation JudgingFunctions::judge(const Life &life) {
+    Tried tried = try_on(life);
+    if (!tried.problem.empty() && invalid_++ == 0) first_problem_ = std::move(tried.problem);
+    return std::move(tried.evaluation);
 }
 
 } // namespace planula

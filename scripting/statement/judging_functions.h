@@ -57,6 +57,14 @@ class JudgingFunctions {
     /// Throws InputError if the functions change what they close over, depend on earlier calls, or exceed the limits on
     /// memory or time, which depend on the machine.
     Evaluation judge(const Life &life);
+    /// What judge() gives, and why the life is invalid if the functions are the reason.
+    struct Tried {
+        Evaluation evaluation;
+        std::string problem;     // "file:line: …"; empty without a problem
+        bool wrong_kind = false; // an error, or a value of another kind, and not a number out of range
+    };
+    /// The same without counting it as one of the run. Throws as judge() does.
+    Tried try_on(const Life &life);
 
     std::int64_t invalid() const { return invalid_; }
     /// What was wrong with the first invalid individual of the run.

@@ -49,7 +49,7 @@ struct Upvalue {
     }
 };
 
-// A function as its source states it.
+// The words of a function and the modules that it requires.
 struct Text {
     std::string sha256;
     std::vector<Requirement> requirements;
@@ -67,6 +67,8 @@ class Walk {
         const auto origin = origin_of(lua_.raw());
         lua_pop(lua_.raw(), 1);
         const std::string place = place_of(origin);
+        shown_.place = place;
+        if (origin) shown_.lines = lines_of_function(sources_.all().at(origin->source).tokens, origin->word);
         if (!origin)
             problem_ = "is a function of the library, not of a script";
         else if (const auto message = lua_.inspect(gate<run>, this, large_limits))
@@ -76,6 +78,7 @@ class Walk {
     }
     const std::set<std::string_view> &parameters() const { return parameters_; }
     const std::set<std::string_view> &fields() const { return fields_; }
+    const FunctionText &text() const { return shown_; }
 
   private:
     enum Place { objects = 1, library, all_modules, bottom = all_modules }; // on the stack
@@ -224,6 +227,7 @@ class Walk {
     // The words of the function at the top, its upvalues and the modules that it requires.
     void function(lua_State *L) {
         static const Text of_c{"a function of the library", {}}; // an iterator of pairs or ipairs
+        const bool is_first = texts_.empty();
         const Text &stated = lua_iscfunction(L, -1) ? of_c : text_of(L);
         hash_.text(stated.sha256);
         upvalues_.clear();
@@ -236,6 +240,9 @@ class Walk {
         for (const Upvalue &upvalue : upvalues_) {
             hash_.text(upvalue.name);
             lua_getupvalue(L, -1, upvalue.place);
+            if (is_first)
+                shown_.upvalues.emplace_back(
+                    upvalue.name, shown_value(L, lua_isfunction(L, -1) ? place_of(origin_of(L)) : ""));
             value(L);
         }
         for (const Requirement &requirement : stated.requirements) required(L, requirement);
@@ -309,6 +316,7 @@ class Walk {
     std::vector<Upvalue> upvalues_;
     std::map<Origin, Text> texts_;
     std::set<std::string_view> parameters_, fields_; // whose names were met
+    FunctionText shown_;
 };
 
 } // namespace
@@ -327,6 +335,7 @@ const Meanings::Known &Meanings::of_function(int function, const std::string &na
         known->second.meaning = walk.named(name);
         known->second.parameters = walk.parameters();
         known->second.fields = walk.fields();
+        known->second.text = walk.text();
     }
     return known->second;
 }
@@ -350,6 +359,15 @@ std::vector<FunctionMeaning> Meanings::of_setting(std::size_t index) {
         meanings.back().name = name;
     });
     return meanings;
+}
+
+std::vector<FunctionText> Meanings::texts_of_setting(std::size_t index) {
+    std::vector<FunctionText> texts;
+    visit_functions(index, [&](const std::string &name, const Known &function) {
+        texts.push_back(function.text);
+        texts.back().name = name;
+    });
+    return texts;
 }
 
 bool Meanings::mentions(std::size_t index, std::string_view parameter) {

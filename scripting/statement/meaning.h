@@ -14,6 +14,7 @@
 #include "experiment/spec.h"
 #include "language/lua_state.h"
 #include "language/sources.h"
+#include "statement/function_text.h"
 
 #include <cstddef>
 #include <functional>
@@ -36,6 +37,9 @@ class Meanings {
     /// than 200000 values or 64 MB of text, or over a value that has no order or content.
     std::vector<FunctionMeaning> of_setting(std::size_t index);
 
+    /// The same functions as texts.
+    std::vector<FunctionText> texts_of_setting(std::size_t index);
+
     /// Whether the functions of this setting may read a parameter: its name is among their words, or in a text that
     /// they reach. Throws as of_setting() does.
     bool mentions(std::size_t index, std::string_view parameter);
@@ -52,6 +56,7 @@ class Meanings {
         FunctionMeaning meaning;
         std::set<std::string_view> parameters; // that it mentions
         std::set<std::string_view> fields;     // of a life: those that it mentions
+        FunctionText text;
     };
     using Visit = std::function<void(const std::string &name, const Known &function)>;
     const Known &of_function(int function, const std::string &name);

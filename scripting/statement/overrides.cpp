@@ -31,14 +31,6 @@ std::string why_not_of_world(std::string_view parameter, const Spec &spec, const
            "; change it there, or write there: " + key_of(*number) + " = \"" + std::string(parameter) + '"';
 }
 
-/// Why a setting's lives and search do not read the parameter; "" if they may.
-std::string why_unread_by(const Experiment &experiment, std::size_t setting, const ParameterRow &row) {
-    const Spec &spec = experiment.settings[setting];
-    const std::string why = why_unread(row, spec);
-    const bool of_world = !why.empty() && is_of_worlds(row.name);
-    return of_world ? why_not_of_world(row.name, spec, experiment.world_places[setting]) : why;
-}
-
 /// Reasons, and the settings that each holds for.
 using Reasons = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
@@ -61,6 +53,13 @@ std::string text_of(const Reasons &reasons) {
 }
 
 } // namespace
+
+std::string why_unread_by(const Experiment &experiment, std::size_t setting, const ParameterRow &row) {
+    const Spec &spec = experiment.settings[setting];
+    const std::string why = why_unread(row, spec);
+    const bool of_world = !why.empty() && is_of_worlds(row.name);
+    return of_world ? why_not_of_world(row.name, spec, experiment.world_places[setting]) : why;
+}
 
 std::string why_without_effect(const Experiment &experiment, std::string_view parameter) {
     const ParameterRow &row = parameter_row(parameter);

@@ -105,6 +105,7 @@ class Schema {
         Spec &spec = experiment_.settings.emplace_back();
         experiment_.functions.emplace_back();
         Places &world_places = experiment_.world_places.emplace_back();
+        note_places(reader, shared);
         spec.name = reader.text("name", true);
         spec.title = reader.text("title");
         if (spec.title.empty()) spec.title = spec.name;
@@ -133,6 +134,25 @@ class Schema {
         // Rules between the parts, once each part is right.
         if (problems_.count() == problems_before)
             check_at(reader.place(), problems_, [&] { check_spec(spec); });
+    }
+
+    // Where the setting's keys and parameters are stated.
+    void note_places(const Reader &reader, const Value *shared) {
+        Places &places = experiment_.places.emplace_back();
+        places[""] = problems_.line_of(reader.place());
+        for (const auto &[key, value] : reader.table().fields)
+            places[key] = problems_.line_of(reader.at(key));
+        const auto note = [&](const Value &parameters, const Place &place, Places &into,
+                              const std::string &before) {
+            for (const auto &[name, value] : parameters.fields)
+                into[before + name] = problems_.line_of(place.at(name, &value));
+        };
+        if (shared)
+            for (Places *into : {&places, &experiment_.shared_parameters})
+                note(*shared, problems_.root(lua_.result(), lua_.main()).at("parameters", shared), *into,
+                     into == &places ? "parameters." : "");
+        if (const Value *own = reader.table().find("parameters"))
+            note(*own, reader.at("parameters"), places, "parameters.");
     }
 
     /// A text that must be one of some names; empty if it is missing.

@@ -41,6 +41,10 @@ struct Experiment {
     std::vector<Spec> settings;
     std::vector<std::shared_ptr<JudgingFunctions>> functions; // one per setting; its judge calls them
     std::vector<Places> world_places;                         // of each setting's environment
+    /// Of each setting where the script states its keys ("search"), its parameters ("parameters.gravity") and the table
+    /// itself ("").
+    std::vector<Places> places;
+    Places shared_parameters; // of the parameters beside `settings`, by name
     Analysis analysis;
     SensitivityPlan sensitivity;
     std::shared_ptr<Sources> sources;

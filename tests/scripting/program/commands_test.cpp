@@ -180,19 +180,6 @@ BOOST_AUTO_TEST_CASE(a_bad_script_ends_with_65) {
     BOOST_TEST(planula_says({"check", "nowhere.lua"}).code == 65);
 }
 
-BOOST_AUTO_TEST_CASE(check_and_describe_print_what_the_script_states) {
-    const Workplace place;
-    const Said check = planula_says({"check", place.script()});
-    BOOST_TEST(check.code == 0);
-    BOOST_TEST(check.out == "ok: " + place.script() + ": small, 1 setting: small\n");
-    const Said describe = planula_says({"describe", place.script(), "--set", "drag_normal=2"});
-    BOOST_TEST(describe.code == 0);
-    BOOST_TEST(contains(describe.out, "population = 6 genomes (standard 300, §2.7.2)"), describe.out);
-    const Said choice = planula_says({"describe", place.script(), "--set", "division_turn=daughter"});
-    BOOST_TEST(contains(choice.out, "\n  division_turn = daughter (standard nobody, ours): "), choice.out);
-    BOOST_TEST(contains(describe.out, "drag_normal = 2 mass/cell² (standard 1, ours)"), describe.out);
-}
-
 BOOST_AUTO_TEST_CASE(parameters_and_columns_have_a_line_for_each) {
     const Said plain = planula_says({"parameters"}), csv = planula_says({"parameters", "--csv"});
     for (const ParameterRow &row : parameter_rows()) {
