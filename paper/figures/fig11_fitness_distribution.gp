@@ -27,7 +27,7 @@ do for [i = 1:4] {
     if (i < 4) { set xtics ('0' 0, '0.5' 0.5) } else { set xtics ('0' 0, '0.5' 0.5, '1' 1) }
     set label 1 panel_title(word('A B C D', i), word(titles, i)) at graph 0,1.08 left textcolor rgb ink
     set label 2 (i == 1 ? 'fitness relative to the highest of the generation' : '') at screen 0.5,0.635 center textcolor rgb ink
-    set label 3 lacks('fitness_shares', group.'-neat').lacks('fitness_shares', group.'-ns') at graph 0.5,0.5 center textcolor rgb 0x777777
+    set label 3 lacks('fitness_shares', group.'-neat').lacks('fitness_shares', group.'-ns') at graph 0.5,0.5 center font ',7' textcolor rgb 0x777777
     set ylabel (i == 1 ? 'individuals (%)' : '') offset 0.2,0 textcolor rgb ink
     set xlabel ''
     if (i == 1) { set format y '%g'; set key top left Left reverse samplen 0.8 } else { set format y ''; unset key }
@@ -46,7 +46,7 @@ do for [i = 1:4] {
         set tmargin at screen 0.58 - (row - 1) * 0.26
         set bmargin at screen 0.35 - (row - 1) * 0.26
         set label 1 name_of(search) at graph 0.03,0.93 left font ',7' textcolor rgb ink front
-        set label 3 lacks('fitness_history', group.'-'.search) at graph 0.5,0.5 center textcolor rgb 0x777777
+        set label 3 lacks('fitness_history', group.'-'.search) at graph 0.5,0.5 center font ',7' textcolor rgb 0x777777
         set ylabel (i == 1 ? 'relative fitness' : '') offset 0.2,0 textcolor rgb ink
         if (i == 1) { set format y '%g' } else { set format y '' }
         set xlabel (row == 2 ? 'generation' : '') offset 0,0.9 textcolor rgb ink

@@ -10,10 +10,6 @@ bound = 100 * system("awk -F, '$2 == \"exploit_bound\" { print $4 }' '".table('p
 least = 0.001 # per cent; smaller changes are drawn there
 change(value) = max(least, 100 * value)
 set multiplot layout 1,4 margins 0.085,0.985,0.17,0.83 spacing 0.02,0
-set logscale y
-set yrange [0.7 * least:200]
-set xrange [0:*]
-set offsets 0, graph 0.06, 0, 0
 set xlabel 'displacement' offset 0,0.9 textcolor rgb ink
 unset key
 do for [k = 1:2] {
@@ -25,11 +21,16 @@ set label 'Bullet' at screen 0.24,0.955 left textcolor rgb ink point pointtype 7
 do for [i = 1:4] {
     group = word(groups, i)
     set label panel_title(word('A B C D', i), word(titles, i)) at graph 0,1.07 left textcolor rgb ink
-    set label lacks('witness', group.'-neat').lacks('witness', group.'-ns') at graph 0.5,0.5 center textcolor rgb 0x777777
+    set label lacks('witness', group.'-neat').lacks('witness', group.'-ns') at graph 0.5,0.5 center font ',7' textcolor rgb 0x777777
     set ylabel (i == 1 ? 'change of displacement (%)' : '') offset 0.4,0 textcolor rgb ink
     undefine END_*
+    unset logscale
+    set yrange [*:*]
     stats table('witness') using (strstrt(stringcolumn('setting'), group) == 1 ? column('displacement') : NaN) name 'END' nooutput
+    set xrange [0:1.06 * largest(1)]
     set xtics 0, largest(2) < 20 ? 5 : 2 * generation_tics(largest(2))
+    set logscale y
+    set yrange [0.7 * least:200]
     if (i == 1) { set ytics ('≤ 0.001' 0.001, '0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10, '100' 100) } else { set ytics ('' 0.001, '' 0.01, '' 0.1, '' 1, '' 10, '' 100) }
     plot @unseen, bound with lines linewidth 0.8 dashtype 2 linecolor rgb 0x777777, \
          for [search in 'neat ns'] table('witness') using (of(group.'-'.search, column('displacement'))):(change(column('half_change'))) \

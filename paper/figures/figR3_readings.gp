@@ -24,7 +24,6 @@ do for [i = 1:count] { do for [g = 1:4] { do for [s = 1:2] {
 }}}
 
 set multiplot layout 1,4 margins 0.155,0.985,0.125,0.875 spacing 0.03,0
-set yrange [-count - gap(count) - 0.7:-0.3]
 set grid noytics xtics linewidth 0.5 linecolor rgb pale dashtype 1
 set border 1
 unset key
@@ -38,8 +37,12 @@ do for [g = 1:4] {
         set ytics scale 0 offset 0.4,0 (word(names, 1) -1)
         do for [i = 2:count] { set ytics add (word(names, i) -i - gap(i)) }
     }
-    set xrange [0:*]
-    set xtics autofreq
+    undefine END_*
+    set yrange [*:*]
+    stats table('readings') using (strstrt(stringcolumn('setting'), '-'.word(groups, g).'-') > 0 ? column('best_fitness') : NaN) name 'END' nooutput
+    set xrange [0:1.04 * largest(1)]
+    set yrange [-count - gap(count) - 0.7:-0.3]
+    set xtics 0, largest(2) < 20 ? 5 : 2 * generation_tics(largest(2))
     set xlabel 'best fitness' offset 0,0.9 textcolor rgb ink
     set label panel_title(word('A B C D', g), word(titles, g)) at graph 0,1.06 left textcolor rgb ink
     plot @unseen, for [s = 1:2] for [i = 1:count] table('readings') \

@@ -32,9 +32,9 @@ set style arrow 10 nohead linewidth 0.8 linecolor rgb ns
 set style arrow 11 nohead linewidth 0.3 linecolor rgb 0x90777777
 set style arrow 12 nohead linewidth 1.0 linecolor rgb 0x999999
 set style arrow 13 nohead linewidth 1.3 linecolor rgb 0x762A83
-set style arrow 14 nohead linewidth 1.3 linecolor rgb 0xB897C4
+set style arrow 14 nohead linewidth 1.3 linecolor rgb 0xA57BB5
 set style arrow 15 nohead linewidth 1.3 linecolor rgb 0xC9C9C9
-set style arrow 16 nohead linewidth 1.3 linecolor rgb 0x8CCB90
+set style arrow 16 nohead linewidth 1.3 linecolor rgb 0x6DB873
 set style arrow 17 nohead linewidth 1.3 linecolor rgb 0x1B7837
 # A point of type 7 and size 1 is a disc of radius 3 units of the terminal, pt in PDF and pixels in PNG: far less to draw
 # than gnuplot's circles, which are polygons.

@@ -27,7 +27,7 @@ do for [world in 'aq te'] {
         at = int(word(marks, 2 * i))
         if (at - 1 <= last) {
             set arrow 10 + i from at - 1, graph 0 to at - 1, graph 1 nohead linewidth 0.8 dashtype 3 linecolor rgb 0x777777 back
-            set label 10 + i id at at - 1, graph 1.03 center font ',6.5' textcolor rgb 0x777777
+            set label 10 + i id at at - 1, graph 0.045 right offset -0.4,0 font ',6.5' textcolor rgb 0x777777
         } else { beyond = beyond.(beyond eq '' ? '' : ', ').sprintf('%s (generation %d)', id, at) }
     }
     set label 2 (beyond eq '' ? '' : 'beyond these runs: '.beyond) at graph 1,1.03 right font ',6.5' textcolor rgb 0x777777

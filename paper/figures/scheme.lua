@@ -113,7 +113,7 @@ local function draw_embryo(left, top, width, height)
   animats.draw(on, frame, x0, y0, scale, page.grey, true)
   for _, cell in ipairs(frame.cells) do on:arc(x0 + scale * cell.x, y0 + scale * cell.y, 0.5 * scale, 'pale') end
   on:bar(left, top - 0.7 - height - 0.1, scale, 1)
-  on:text(left + 0.75, top - 0.7 - height - 0.1, ('(cell diameter); step %d, %d cells'):format(frame.step, #frame.cells), 'left')
+  on:text(left + scale + 0.4, top - 0.7 - height - 0.1, ('(cell diameter); step %d, %d cells'):format(frame.step, #frame.cells), 'left')
 end
 
 -- ---- D: the mesh ----
@@ -126,7 +126,7 @@ local function draw_mesh(left, top, width, height)
   on:title(left, top - 0.25, 'D', 'body: mesh and rest lengths')
   if not one then return on:text(left, top - 0.9, 'This copy has no individual to show.', 'missing') end
   local frame = one.growth.frames[#one.growth.frames]
-  local box, room = frame.box, width - 1.9
+  local box, room = frame.box, width - 2.1
   local scale = math.min(0.5, room / (box.right - box.left), height / (box.high - box.low))
   local x0, y0 = left + room / 2 - scale * (box.left + box.right) / 2, top - 0.7 - height / 2 - scale * (box.low + box.high) / 2
   for _, link in ipairs(frame.links) do
@@ -140,10 +140,10 @@ local function draw_mesh(left, top, width, height)
   on:on_layer(1)
   for index, class in ipairs(classes) do
     local y = top - 0.7 - height / 2 + (index - 3) * 0.36
-    on:line(left + width - 1.75, y, left + width - 1.3, y, class[2])
-    on:text(left + width - 1.2, y, class[3], 'left')
+    on:line(left + width - 2.15, y, left + width - 1.5, y, class[2])
+    on:text(left + width - 1.4, y, class[3], 'left')
   end
-  on:text(left + width - 1.75, top - 0.7 - height / 2 + 3 * 0.36, 'rest length', 'left')
+  on:text(left + width - 2.15, top - 0.7 - height / 2 + 3 * 0.36, 'rest length', 'left')
   on:bar(left, top - 0.7 - height - 0.1, scale, 2)
 end
 
