@@ -107,8 +107,14 @@ bool concerns(const ParameterRow &parameter, const Spec &spec) {
     if (parameter.name == only_recorded || parameter.is_choice()) return false;
     if (makes_world(parameter.name, spec)) return true;
     if (is_of_worlds(parameter.name) && !stated_instead_of(parameter.name, spec)) return false;
-    if (parameter.section == "Water") return spec.environment.has_fluid();
-    if (parameter.section == "Land" || parameter.section == "Settling") return spec.environment.has_ground;
+    const auto any_world = [&](const auto &holds) {
+        return holds(spec.environment) ||
+               std::any_of(spec.phases.begin(), spec.phases.end(),
+                           [&](const Phase &phase) { return holds(phase.environment); });
+    };
+    if (parameter.section == "Water") return any_world([](const Environment &e) { return e.has_fluid(); });
+    if (parameter.section == "Land" || parameter.section == "Settling")
+        return any_world([](const Environment &e) { return e.has_ground; });
     constexpr std::array<std::string_view, 4> always{"Development", "Control network", "Body", "Gait"};
     return std::find(always.begin(), always.end(), parameter.section) != always.end();
 }

@@ -95,12 +95,19 @@ SettingRow setting_row(const SettingRuns &setting) {
 std::vector<WorldRow> world_rows(const SettingRuns &setting) {
     const Spec &spec = *setting.spec;
     std::vector<WorldRow> rows;
-    for (const WorldNumber &number : world_numbers())
-        rows.push_back({spec.name, std::string(number.name), value_of(number, spec), std::string(number.unit),
-                        std::string(source_of(number, spec))});
-    Maybe points;
-    if (spec.environment.has_ground) points = static_cast<double>(spec.environment.ground.size());
-    rows.push_back({spec.name, "ground points", points, "points", ""});
+    const auto add = [&](const Conditions &conditions, const auto &called) {
+        for (const WorldNumber &number : world_numbers())
+            if (is_stated(number, conditions))
+                rows.push_back({spec.name, called(number.name), value_of(number, conditions),
+                                std::string(number.unit), std::string(source_of(called(number.name), spec))});
+        Maybe points;
+        if (conditions.environment.has_ground)
+            points = static_cast<double>(conditions.environment.ground.size());
+        rows.push_back({spec.name, called("ground points"), points, "points", ""});
+    };
+    add(spec, [](std::string_view name) { return std::string(name); });
+    for (std::size_t i = 0; i < spec.phases.size(); ++i)
+        add(conditions_of(spec.phases[i]), [&](std::string_view name) { return name_in_phase(i, name); });
     return rows;
 }
 

@@ -7,10 +7,10 @@
 namespace planula {
 
 enum class Outcome {
-    viable,        // grew, settled and moved to the end
-    died_out,      // no cell was left
-    too_small,     // fewer cells than Parameters::minimum_cells at the end of development
-    overgrown,     // Parameters::cell_limit was reached, even once
+    viable,    // grew, settled and moved to the end
+    died_out,  // no cell was left
+    too_small, // fewer cells than Parameters::minimum_cells at the end of development, or left after damage
+    overgrown, // Parameters::cell_limit was reached, even once
     never_settled, // not at rest within Parameters::settle_limit
     exploded,      // a speed over node_speed_limit, or a number that is not finite
 };

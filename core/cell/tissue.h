@@ -3,6 +3,7 @@
 // the order of the body's.
 #pragma once
 
+#include "base/keep_only.h"
 #include "network/activations.h"
 
 #include <vector>
@@ -12,6 +13,14 @@ namespace planula {
 struct Tissue {
     Activations activations;        // of the control networks
     std::vector<double> morphogens; // the last morphogen output of each cell
+
+    /// Loses all cells but these, ascending.
+    void keep(std::span<const int> cells) {
+        std::vector<char> lost(morphogens.size(), 1);
+        for (const int cell : cells) lost[cell] = 0;
+        activations.remove(lost);
+        keep_only(cells, morphogens);
+    }
 };
 
 } // namespace planula

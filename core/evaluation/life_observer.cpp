@@ -27,6 +27,14 @@ void LifeObserver::begin(const SoftBodyModel &model, const Environment &environm
     add_signal(0, signal);
 }
 
+/// Signals of other cells are no part of one rhythm.
+void LifeObserver::change(const SoftBodyModel &model, const Environment &environment, const Engine &engine) {
+    if (model.nodes() != model_->nodes()) late_signals_.clear();
+    model_ = &model, environment_ = &environment;
+    rest_lengths_ = reference::RestLengths(model);
+    positions_ = engine.positions();
+}
+
 void LifeObserver::actuate(std::span<const double> extensions, int steps) {
     rest_lengths_.actuate(extensions, steps);
 }

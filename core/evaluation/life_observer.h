@@ -20,6 +20,7 @@ class LifeObserver final : public TrialObserver {
 
     void begin(const SoftBodyModel &model, const Environment &environment, const Engine &engine,
                std::span<const double> signal) override;
+    void change(const SoftBodyModel &model, const Environment &environment, const Engine &engine) override;
     void actuate(std::span<const double> extensions, int steps) override;
     void step(int t, const Engine &engine, std::span<const double> signal) override;
 

@@ -58,6 +58,78 @@ void copy_locomotion(const Life &known, Life &life) {
 #include "evaluation/observations.inl"
 }
 
+/// What a body did in each of several worlds, as far as it was asked for.
+void tell_phases(std::span<const PhaseResult> phases, Observations &observations) {
+    const ObservationSet &asked = observations.known;
+    for (const auto &[steps, settle_steps, start, finish] : phases) {
+        if (asked.has(Observation::phase_start)) observations.phase_start.push_back(start);
+        if (asked.has(Observation::phase_finish)) observations.phase_finish.push_back(finish);
+        if (asked.has(Observation::phase_steps)) observations.phase_steps.push_back(steps);
+        if (asked.has(Observation::phase_settle_steps))
+            observations.phase_settle_steps.push_back(settle_steps);
+    }
+}
+
+/// Lets a body settle and move: what locomotion decides of its life.
+void move(const Network &network, const Growth &growth, const Conditions &conditions, const MoveWatch &watch,
+          const Loss *loss, Life &life) {
+    const Parameters moving = refined(conditions.parameters, conditions.refinement);
+    SoftBodyModel model =
+        embody(growth.body, conditions.environment, moving.body, moving.development.time_step);
+    disturb(conditions.nudge, model.positions);
+    auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
+    if (conditions.held_from) gait = hold(std::move(gait), *conditions.held_from * conditions.refinement);
+    const auto engine = make_engine(conditions.engine);
+    std::optional<LifeObserver> observer;
+    if (!conditions.observed.empty()) observer.emplace(conditions.observed, moving);
+    Trial trial =
+        locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine, watch,
+                 observer ? &*observer : nullptr, {conditions.phases, loss, conditions.refinement});
+
+    // Of locomotion that ended early neither place nor distance is known.
+    life.outcome = trial.outcome;
+    life.settle_steps = trial.settle_steps;
+    if (trial.outcome != Outcome::viable) return;
+    life.rest = trial.rest;
+    life.finish = trial.finish;
+    life.activity = trial.activity;
+    life.late_actuation = trial.late_actuation;
+    life.path = std::move(trial.path);
+    if (!observer) return;
+    observer->finish(life.observations);
+    tell_phases(trial.phases, life.observations);
+}
+
+/// The same of a body that loses cells, at first or on its way. Of too few cells that are left nothing is simulated.
+void move_damaged(const Network &network, const Growth &growth, const Conditions &conditions,
+                  const Watch &watch, Life &life) {
+    const Damage &damage = *conditions.damage;
+    const std::vector<int> kept = cells_left(growth.body, damage);
+    if (static_cast<int>(kept.size()) < conditions.parameters.development.minimum_cells) {
+        life.outcome = Outcome::too_small;
+        return;
+    }
+    Growth left{.body = part_of(growth.body, kept), .tissue = growth.tissue};
+    left.tissue.keep(kept);
+    const auto show = [&] {
+        if (watch.born) watch.born(left.body);
+    };
+    if (damage.at == 0) {
+        show();
+        return move(network, left, conditions, watch.move, nullptr, life);
+    }
+    const Parameters moving = refined(conditions.parameters, conditions.refinement);
+    const Loss loss{damage.at, kept,
+                    embody(left.body, conditions.environment, moving.body, moving.development.time_step)};
+    MoveWatch watch_move;
+    if (watch.move)
+        watch_move = [&](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
+            if (step == damage.at * conditions.refinement + 1) show();
+            watch.move(step, nodes, signal);
+        };
+    move(network, growth, conditions, watch_move, &loss, life);
+}
+
 } // namespace
 
 Life live(const Genome &genome, const Conditions &conditions, const Watch &watch, const Recall &recall) {
@@ -76,27 +148,10 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
             return life;
         }
 
-    SoftBodyModel model =
-        embody(growth.body, conditions.environment, moving.body, moving.development.time_step);
-    disturb(conditions.nudge, model.positions);
-    auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
-    if (conditions.held_from) gait = hold(std::move(gait), *conditions.held_from * conditions.refinement);
-    const auto engine = make_engine(conditions.engine);
-    std::optional<LifeObserver> observer;
-    if (!conditions.observed.empty()) observer.emplace(conditions.observed, moving);
-    Trial trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
-                           watch.move, observer ? &*observer : nullptr);
-
-    // Of locomotion that ended early neither place nor distance is known.
-    life.outcome = trial.outcome;
-    life.settle_steps = trial.settle_steps;
-    if (trial.outcome != Outcome::viable) return life;
-    life.rest = trial.rest;
-    life.finish = trial.finish;
-    life.activity = trial.activity;
-    life.late_actuation = trial.late_actuation;
-    life.path = std::move(trial.path);
-    if (observer) observer->finish(life.observations);
+    if (conditions.damage)
+        move_damaged(network, growth, conditions, watch, life);
+    else
+        move(network, growth, conditions, watch.move, nullptr, life);
     return life;
 }
 

@@ -19,7 +19,7 @@ struct Watch {
     /// Development: step, cell centres (development frame), links as pairs of indices. Called after the
     /// neighbourhood is computed and before the step's physics, and once at the end.
     std::function<void(int step, std::span<const Vec2d> cells, std::span<const Link> links)> grow;
-    /// The finished body, before locomotion.
+    /// The finished body, before locomotion; and what is left of it, when it has lost cells.
     std::function<void(const Body &body)> born;
     /// Locomotion, after each `step` of 0 … locomotion_steps (0: at rest): node positions (world frame) and
     /// the actuation signal of each cell in [-1, 1] (oscillator: the sine).

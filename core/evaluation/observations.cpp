@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "evaluation/observations.h"
 
+#include "evaluation/conditions.h"
+
 #include <iterator>
 
 namespace planula {
 
 namespace {
+
+constexpr Existence with_phases{[](const Conditions &conditions) { return !conditions.phases.empty(); },
+                                "in settings with phases"};
 
 constexpr ObservationRow rows[] = {
 #define OBSERVATION(type, name, initial, unit, known, exists, meaning)                                       \

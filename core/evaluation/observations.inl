@@ -20,5 +20,9 @@ OBSERVATION(double, period, 0, "step", locomotion, everywhere, "period of the mu
 OBSERVATION(std::vector<double>, gait_phases, {}, "period", locomotion, everywhere, "phase of each cell's signal at that period, ahead of that of the first cell, -0.5 to 0.5; empty without a rhythm")
 OBSERVATION(std::vector<Vec2d>, body, {}, "cell", growth, everywhere, "cell centres at the end of development")
 OBSERVATION(std::vector<Vec2d>, final_shape, {}, "cell", locomotion, everywhere, "cell centres after the last step, in the order of body")
+OBSERVATION(std::vector<Vec2d>, phase_start, {}, "cell", locomotion, with_phases, "centre of mass before the first step in each world, the first one included")
+OBSERVATION(std::vector<Vec2d>, phase_finish, {}, "cell", locomotion, with_phases, "centre of mass after the last step in each world")
+OBSERVATION(std::vector<double>, phase_steps, {}, "step", locomotion, with_phases, "steps of locomotion in each world")
+OBSERVATION(std::vector<double>, phase_settle_steps, {}, "step", locomotion, with_phases, "steps until the body was at rest in each world; 0 where it did not settle")
 
 #undef OBSERVATION

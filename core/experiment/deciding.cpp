@@ -76,7 +76,10 @@ std::string why_unread(const ParameterRow &row, const Spec &spec) {
     if (is_of_worlds(row.name) && !makes_world(row.name, spec))
         return "its environment takes no number from this parameter";
     if (row.section == "Judgement") return "its functions do not read it";
-    if (row.section == "Settling" && !(spec.environment.gravity > 0))
+    const bool settles =
+        spec.environment.gravity > 0 ||
+        std::any_of(spec.phases.begin(), spec.phases.end(), [](const Phase &p) { return p.settles; });
+    if (row.section == "Settling" && !settles)
         return "its environment has no gravity, without which no body settles";
     if (row.name == "period_shortest" && spec.actuation != Actuation::oscillator)
         return "its actuation has no oscillators";

@@ -13,28 +13,80 @@ namespace planula {
 
 namespace {
 
-const std::string parameter_key = "parameter ", function_key = "function ";
+const std::string parameter_key = "parameter ", function_key = "function ", none = "none";
 constexpr std::size_t shown_digits = 12; // of a hash in a message
 
 bool is_hash(std::string_view key) { return key == "model" || key.starts_with(function_key); }
 
+/// A count of things and the hash of their numbers.
+std::string counted(std::size_t count, const std::string &things, const Hash &numbers) {
+    return to_text(static_cast<std::int64_t>(count)) + " " + things + " " + numbers.hex();
+}
+
 std::string ground_text(const Environment &environment) {
-    if (!environment.has_ground) return "none";
+    if (!environment.has_ground) return none;
     if (environment.ground.empty()) return "flat";
     Hash points;
     for (const Vec2d point : environment.ground) points.number(point.x).number(point.y);
-    return to_text(static_cast<std::int64_t>(environment.ground.size())) + " points " + points.hex();
+    return counted(environment.ground.size(), "points", points);
 }
 
-void add_environment(const Spec &spec, Identity &identity) {
+std::string regions_text(const std::vector<Region> &regions) {
+    if (regions.empty()) return none;
+    Hash numbers;
+    for (const Region &region : regions) {
+        const auto &[box, normal, tangential, flow, buoyancy] = region;
+        numbers.number(box.left).number(box.right).number(box.bottom).number(box.top);
+        numbers.number(normal).number(tangential).number(flow ? 1 : 0).number(buoyancy ? 1 : 0);
+        if (flow) numbers.number(flow->x).number(flow->y);
+        if (buoyancy) numbers.number(*buoyancy);
+    }
+    return counted(regions.size(), "regions", numbers);
+}
+
+std::string current_text(const Current &current) {
+    if (!current.changes()) return none;
+    Hash numbers;
+    for (const Vec2d sample : current.samples) numbers.number(sample.x).number(sample.y);
+    return counted(current.samples.size(), "samples", numbers) + ", one every " + to_text(current.step) +
+           " steps" + (current.repeats ? ", again and again" : "");
+}
+
+std::string damage_text(const std::optional<Damage> &damage) {
+    if (!damage) return none;
+    const std::string at = "at step " + to_text(damage->at) + ", ";
+    if (!damage->within)
+        return at + to_text(damage->share) + " of the cells, " +
+               std::string(side_names[static_cast<std::size_t>(damage->side)]);
+    const auto &[left, right, bottom, top] = *damage->within;
+    return at + "x " + to_text(left) + " to " + to_text(right) + ", y " + to_text(bottom) + " to " +
+           to_text(top);
+}
+
+/// The items of a world, whose keys begin with `prefix`. Those that came later are there only if they are stated.
+void add_environment(const std::string &prefix, const Conditions &conditions, Identity &identity) {
     const auto add = [&](std::string_view name, const std::string &value, const std::string &standard = "") {
-        if (value != standard)
-            identity.items.push_back({"environment " + std::string(name), value, "", standard});
+        if (value != standard) identity.items.push_back({prefix + std::string(name), value, "", standard});
     };
     for (const WorldNumber &number : world_numbers()) {
-        add(number.name, to_text(value_of(number, spec)), number.absent ? to_text(*number.absent) : "");
-        if (&number == &world_numbers().front()) add("ground", ground_text(spec.environment));
+        add(number.name, to_text(value_of(number, conditions)), number.absent ? to_text(*number.absent) : "");
+        if (&number == &world_numbers().front()) add("ground", ground_text(conditions.environment));
     }
+    add("regions", regions_text(conditions.environment.regions), none);
+    add("current", current_text(conditions.environment.current), none);
+}
+
+/// What happens to a body on its way, only if it is stated.
+void add_course(const Spec &spec, Identity &identity) {
+    const auto add = [&](const std::string &key, const std::string &value) {
+        if (value != none) identity.items.push_back({key, value, "", none});
+    };
+    for (std::size_t i = 0; i < spec.phases.size(); ++i) {
+        const Phase &phase = spec.phases[i];
+        add(name_in_phase(i, "begins"), "at step " + to_text(phase.at) + (phase.settles ? ", settles" : ""));
+        add_environment(name_in_phase(i, "environment "), conditions_of(phase), identity);
+    }
+    add("damage", damage_text(spec.damage));
 }
 
 std::string shown(std::string_view key, const std::string &value) {
@@ -81,7 +133,8 @@ Identity identity_of(const Spec &spec, std::uint64_t seed) {
     add("search", spec.search);
     add("engine", spec.engine);
     add("start", spec.start ? to_text(spec.start->generations) + " generations" : "none");
-    add_environment(spec, identity);
+    add_environment("environment ", spec, identity);
+    add_course(spec, identity);
     for (const FunctionMeaning &function : spec.judgement)
         add(function_key + function.name, function.sha256, function.place);
     for (const ParameterRow &row : parameter_rows())

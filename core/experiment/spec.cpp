@@ -47,6 +47,7 @@ void check_spec(const Spec &spec) {
     make_search(spec.search, spec.parameters);
     make_engine(spec.engine);
     check_environment(spec.environment);
+    check_course(spec);
     check_consistency(spec.parameters);
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/world_numbers.h"
 
+#include "base/text.h"
+
 #include <algorithm>
+#include <cstdint>
 
 namespace planula {
 
@@ -14,6 +17,8 @@ constexpr View nothing(const Environment &) { return ""; }
 constexpr WorldNumber numbers[] = {
     {"gravity", "cell/t.u.²", [](Conditions &c) -> double & { return c.environment.gravity; },
      [](const Environment &) -> View { return "gravity"; }},
+    {"gravity direction", "degree", [](Conditions &c) -> double & { return c.environment.gravity_direction; },
+     nothing, 0},
     {"friction", "1", [](Conditions &c) -> double & { return c.environment.friction; },
      [](const Environment &) -> View { return "friction"; }},
     {"drag normal", "mass/cell²", [](Conditions &c) -> double & { return c.environment.drag_normal; },
@@ -36,8 +41,24 @@ double value_of(const WorldNumber &number, const Conditions &conditions) {
     return number.in(const_cast<Conditions &>(conditions)); // which is only read here
 }
 
+bool is_stated(const WorldNumber &number, const Conditions &conditions) {
+    return number.absent != value_of(number, conditions);
+}
+
+Conditions conditions_of(const Phase &phase) {
+    return {.actuation_range = phase.actuation_range, .environment = phase.environment};
+}
+
+std::string name_in_phase(std::size_t phase, std::string_view number) {
+    return "phase " + to_text(static_cast<std::int64_t>(phase + 1)) + " " + std::string(number);
+}
+
 std::string_view source_of(const WorldNumber &number, const Spec &spec) {
-    const auto found = spec.world_sources.find(number.name);
+    return source_of(number.name, spec);
+}
+
+std::string_view source_of(std::string_view name, const Spec &spec) {
+    const auto found = spec.world_sources.find(name);
     return found == spec.world_sources.end() ? View() : View(found->second);
 }
 

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace planula {
@@ -24,10 +25,20 @@ struct WorldNumber {
 /// Gravity first.
 std::span<const WorldNumber> world_numbers();
 
+/// Whether these conditions state the number: not if it has the value that counts where it is absent.
+bool is_stated(const WorldNumber &number, const Conditions &conditions);
+
+/// The conditions of a phase, beside all that holds in every world.
+Conditions conditions_of(const Phase &phase);
+/// What its numbers are called: "phase 1 gravity".
+std::string name_in_phase(std::size_t phase, std::string_view number);
+
 double value_of(const WorldNumber &number, const Conditions &conditions);
 
 /// The parameter that a setting takes this number from; empty if the experiment states the number itself.
 std::string_view source_of(const WorldNumber &number, const Spec &spec);
+/// The same of a number of any of its worlds, by its name.
+std::string_view source_of(std::string_view name, const Spec &spec);
 
 /// Whether the paper's worlds are made of this parameter.
 bool is_of_worlds(std::string_view parameter);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/gait.h"
 
+#include "base/keep_only.h"
 #include "locomotion/grn.h"
 #include "locomotion/oscillator.h"
 
@@ -30,6 +31,10 @@ class HeldGait : public Gait {
         if (held_.empty()) gait_->signals(t, signal);
         if (held_.empty() && t >= from_) held_.assign(signal.begin(), signal.end());
         if (!held_.empty()) std::copy(held_.begin(), held_.end(), signal.begin());
+    }
+    void keep(std::span<const int> cells, std::span<const Link> links) override {
+        gait_->keep(cells, links);
+        if (!held_.empty()) keep_only(cells, held_);
     }
     double activity() const override { return gait_->activity(); }
     bool is_sound() const override { return gait_->is_sound(); }

@@ -26,6 +26,8 @@ class Gait {
     /// The signal of each cell in [-1, 1] at step t, written to `signal`. Called once for each knot t = 0,
     /// knot_interval, 2·knot_interval, …, in this order.
     virtual void signals(int t, std::span<double> signal) = 0;
+    /// The body loses all cells but these, ascending; `links` are those among them, by their new numbers.
+    virtual void keep(std::span<const int> cells, std::span<const Link> links) = 0;
     /// b_a of Eq. (5) over the updates so far; 0 with oscillators.
     virtual double activity() const { return 0; }
     /// False once an activation is not finite.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/grn.h"
 
+#include "base/keep_only.h"
 #include "cell/senses.h"
 
 #include <algorithm>
@@ -41,11 +42,18 @@ void GrnMuscles::signals(int t, std::span<double> signal) {
 }
 
 double GrnMuscles::activity() const {
-    const double terms = static_cast<double>(newest_.size()) * (updates_ - 1);
-    return updates_ < 2 ? 0 : change_ / (2 * terms); // Eq. (5)
+    return updates_ < 2 ? 0 : change_ / (2 * terms_); // Eq. (5)
+}
+
+void GrnMuscles::keep(std::span<const int> cells, std::span<const Link> links) {
+    tissue_.keep(cells);
+    keep_only(cells, previous_), keep_only(cells, newest_), keep_only(cells, places_);
+    neighbours_ = Neighbours(links, static_cast<int>(cells.size()));
+    is_at_rest_ = false;
 }
 
 void GrnMuscles::update(int t) {
+    if (updates_ > 0) terms_ += static_cast<double>(newest_.size());
     if (is_at_rest_) {
         ++updates_;
         return;

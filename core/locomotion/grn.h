@@ -20,6 +20,7 @@ class GrnMuscles : public Gait {
     bool senses() const override { return parameters_.gait.gait_place == GaitPlace::present; }
     void sense(std::span<const Vec2d> places) override;
     void signals(int t, std::span<double> signal) override;
+    void keep(std::span<const int> cells, std::span<const Link> links) override;
     double activity() const override;
     bool is_sound() const override { return sound_; }
 
@@ -37,6 +38,7 @@ class GrnMuscles : public Gait {
     std::vector<double> previous_, newest_; // spring output s of each cell, before and after the last update
     int updates_ = 0;
     double change_ = 0; // Σ |s_u − s_{u−1}| over cells and updates from the second on
+    double terms_ = 0;  // how many those are
     bool sound_ = true;
     Activations before_;      // those before the last update, if it may have changed nothing
     bool is_at_rest_ = false; // whether it changed nothing, to the bit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/oscillator.h"
 
+#include "base/keep_only.h"
 #include "base/math.h"
 
 namespace planula {
@@ -25,6 +26,8 @@ Oscillators::Oscillators(std::span<const Oscillator> oscillators, const GaitPara
         phasors_.push_back({math::sin(phase), math::cos(phase), math::sin(turn), math::cos(turn)});
     }
 }
+
+void Oscillators::keep(std::span<const int> cells, std::span<const Link>) { keep_only(cells, phasors_); }
 
 void Oscillators::signals(int t, std::span<double> signal) {
     for (std::size_t i = 0; i < phasors_.size(); ++i) {

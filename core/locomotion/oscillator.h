@@ -23,6 +23,7 @@ class Oscillators : public Gait {
   public:
     Oscillators(std::span<const Oscillator> oscillators, const GaitParameters &parameters);
     void signals(int t, std::span<double> signal) override;
+    void keep(std::span<const int> cells, std::span<const Link> links) override;
 
   private:
     struct Phasor {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "locomotion/trial.h"
 
+#include "base/keep_only.h"
 #include "body/body.h"
 #include "locomotion/last_quarter.h"
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace planula {
@@ -43,10 +45,22 @@ class Muscles {
         }
         engine.actuate(extensions_, steps);
     }
-    /// Of all cells, at the coming knot.
+    /// Of all cells, at the coming knot; at a knot those that the muscles have reached.
     std::span<const double> extensions() const { return extensions_; }
+    /// The largest change of a rest length from the coming knot on.
+    void set_range(double range) { range_ = range; }
+    /// The body was moved by so much, which its cells do not sense.
+    void moved(Vec2d by) { unsensed_ += by; }
+    /// The body keeps only these cells.
+    void keep(std::span<const int> cells, std::span<const Link> links) {
+        const double before = change();
+        for (std::vector<double> *list : {&from_, &to_, &now_, &extensions_, &changes_})
+            keep_only(cells, *list);
+        lost_change_ += before - change();
+        gait_.keep(cells, links);
+    }
     /// By how much all signals have changed from knot to knot so far.
-    double change() const { return std::accumulate(changes_.begin(), changes_.end(), 0.0); }
+    double change() const { return std::accumulate(changes_.begin(), changes_.end(), lost_change_); }
     /// The signals at this share of the way.
     std::span<const double> signals(double share) {
         for (std::size_t i = 0; i < now_.size(); ++i) now_[i] = from_[i] + share * (to_[i] - from_[i]);
@@ -55,7 +69,11 @@ class Muscles {
 
   private:
     void read(int t, const Engine &engine) {
-        if (gait_.senses()) gait_.sense(engine.positions());
+        if (gait_.senses()) {
+            std::vector<Vec2d> places = engine.positions();
+            for (Vec2d &place : places) place -= unsensed_;
+            gait_.sense(places);
+        }
         gait_.signals(t, to_);
     }
 
@@ -63,22 +81,122 @@ class Muscles {
     double range_;
     Gait &gait_;
     std::vector<double> from_, to_, now_, extensions_, changes_; // per cell
+    double lost_change_ = 0;                                     // of cells that are lost
+    Vec2d unsensed_;
+};
+
+bool has_same_ground(const Environment &a, const Environment &b) {
+    return a.has_ground == b.has_ground && a.ground == b.ground;
+}
+
+/// The body, the world that it is in, and where it counts as being.
+class Way {
+  public:
+    Way(const SoftBodyModel &model, const Environment &environment, const Parameters &parameters,
+        const Course &course, Engine &engine, TrialObserver *observer, Trial &trial)
+        : model_(&model), environment_(&environment), parameters_(parameters), course_(course),
+          engine_(engine), observer_(observer), trial_(trial) {
+        engine_.load(model, environment);
+    }
+
+    /// Rest, if it begins with that; false if the body does not come to rest.
+    bool begin() {
+        if (environment_->gravity > 0 && !settles(trial_.settle_steps)) return false;
+        trial_.rest = centre();
+        trial_.path.push_back(trial_.rest);
+        if (!course_.phases.empty()) trial_.phases.push_back({0, trial_.settle_steps, trial_.rest, {}});
+        return true;
+    }
+    /// What happens before step t; false if the body does not come to rest again.
+    bool pass(int t, Muscles &muscles) {
+        const auto is_due = [&](int at) { return t == at * course_.refinement; };
+        if (course_.loss && is_due(course_.loss->at)) lose(*course_.loss, muscles);
+        for (const Phase &phase : course_.phases)
+            if (is_due(phase.at) && !enter(phase, t, muscles)) return false;
+        return true;
+    }
+    /// Before the step that follows step t.
+    void set_flow(int t) {
+        if (environment_->current.changes())
+            engine_.set_flow(
+                environment_->current.at(static_cast<double>(t - entered_) / course_.refinement));
+    }
+    /// The centre of mass, without its jumps.
+    Vec2d centre() const { return centre_of_mass(engine_.positions()) - jumps_; }
+    void finish(int t) {
+        trial_.finish = centre();
+        leave(t);
+    }
+
+  private:
+    bool settles(int &steps) {
+        trial_.outcome = settle(parameters_.settling, engine_, steps);
+        return trial_.outcome == Outcome::viable;
+    }
+    void leave(int t) {
+        if (trial_.phases.empty()) return;
+        trial_.phases.back().steps = t - entered_;
+        trial_.phases.back().finish = centre();
+    }
+    bool enter(const Phase &phase, int t, Muscles &muscles) {
+        leave(t);
+        BodyState state{engine_.positions(), engine_.velocities()};
+        if (phase.environment.has_ground && !has_same_ground(phase.environment, *environment_)) {
+            const Vec2d up{0, -height_of_lowest(state.positions, 0, phase.environment)};
+            for (Vec2d &position : state.positions) position += up;
+            muscles.moved(up);
+        }
+        environment_ = &phase.environment, entered_ = t;
+        muscles.set_range(phase.actuation_range);
+        load(state, muscles);
+        PhaseResult &result = trial_.phases.emplace_back();
+        if (phase.settles) {
+            if (!settles(result.settle_steps)) return false;
+            tell(muscles);
+        }
+        result.start = centre();
+        return true;
+    }
+    void lose(const Loss &loss, Muscles &muscles) {
+        BodyState state{engine_.positions(), engine_.velocities()};
+        keep_only(loss.kept, state.positions), keep_only(loss.kept, state.velocities);
+        muscles.keep(loss.kept, loss.model.links);
+        model_ = &loss.model;
+        load(state, muscles);
+    }
+    /// Goes on in this state, the centre of mass where it was.
+    void load(const BodyState &state, const Muscles &muscles) {
+        jumps_ += centre_of_mass(state.positions) - centre_of_mass(engine_.positions());
+        engine_.load(*model_, *environment_, state);
+        engine_.actuate(muscles.extensions(), 1);
+        tell(muscles);
+    }
+    void tell(const Muscles &muscles) {
+        if (!observer_) return;
+        observer_->change(*model_, *environment_, engine_);
+        observer_->actuate(muscles.extensions(), 1);
+    }
+
+    const SoftBodyModel *model_;
+    const Environment *environment_;
+    const Parameters &parameters_;
+    const Course &course_;
+    Engine &engine_;
+    TrialObserver *observer_;
+    Trial &trial_;
+    int entered_ = 0; // the step that the present world began with
+    Vec2d jumps_;     // of the centre of mass
 };
 
 } // namespace
 
 Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
                const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch,
-               TrialObserver *observer) {
+               TrialObserver *observer, const Course &course) {
     const GaitParameters &p = parameters.gait;
     Trial trial;
-    engine.load(model, environment);
-    if (environment.gravity > 0) {
-        trial.outcome = settle(parameters.settling, engine, trial.settle_steps);
-        if (trial.outcome != Outcome::viable) return trial;
-    }
-    trial.rest = centre_of_mass(engine.positions());
-    trial.path.push_back(trial.rest);
+    Way way(model, environment, parameters, course, engine, observer, trial);
+    if (!way.begin()) return trial;
 
     // Step n uses the rest lengths of t = n + 1: exact at knots, linear between them. At t = 0 the ramp is 0.
     Muscles muscles(p, actuation_range, model.nodes(), gait, engine);
@@ -88,22 +206,24 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
     if (observer) observer->begin(model, environment, engine, muscles.signals(1));
     for (int start = 0; start < p.locomotion_steps; start += p.knot_interval) {
         if (start == late) before = muscles.change();
+        if (!way.pass(start, muscles)) return trial;
         muscles.reach(start + p.knot_interval, p.knot_interval, engine);
         if (observer) observer->actuate(muscles.extensions(), p.knot_interval);
         for (int j = 1; j <= p.knot_interval; ++j) {
+            const int t = start + j;
+            way.set_flow(t - 1);
             const Motion motion = engine.step(0);
             if (motion.exploded || !gait.is_sound()) {
                 trial.outcome = Outcome::exploded;
                 return trial;
             }
-            const int t = start + j;
-            if (t % p.path_interval == 0) trial.path.push_back(centre_of_mass(engine.positions()));
+            if (t % p.path_interval == 0) trial.path.push_back(way.centre());
             const double share = static_cast<double>(j) / p.knot_interval;
             if (watch) watch(t, engine.positions(), muscles.signals(share));
             if (observer) observer->step(t, engine, muscles.signals(share));
         }
     }
-    trial.finish = centre_of_mass(engine.positions());
+    way.finish(p.locomotion_steps);
     trial.activity = gait.activity();
     const double change = muscles.change();
     trial.late_actuation = change > 0 ? (change - before) / change : 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "body/outcome.h"
+#include "locomotion/course.h"
 #include "locomotion/gait.h"
 #include "physics/engine.h"
 
@@ -19,7 +20,10 @@ struct Trial {
     // How much of all change of the signals was in the last quarter of locomotion; 0 if they never changed. With an
     // even rhythm 0.25, after a single contraction 0.
     double late_actuation = 0;
-    std::vector<Vec2d> path; // centre of mass every path_interval steps from rest on
+    // Centre of mass every path_interval steps from rest on. Where it jumps, because the body loses cells or is set on
+    // another ground, path and finish go on from where it was.
+    std::vector<Vec2d> path;
+    std::vector<PhaseResult> phases; // of the first world and each further one; empty if there is but one
 };
 
 /// Called at rest (step 0) and after every step, with node positions and each cell's signal.
@@ -33,6 +37,8 @@ class TrialObserver {
     /// The body is at rest: locomotion begins. With each cell's signal.
     virtual void begin(const SoftBodyModel &model, const Environment &environment, const Engine &engine,
                        std::span<const double> signal) = 0;
+    /// Another body or world from here on, muscles off: what is left of the body, or a further phase.
+    virtual void change(const SoftBodyModel &model, const Environment &environment, const Engine &engine) = 0;
     /// As of Engine::actuate(): what the muscles do in the steps that follow.
     virtual void actuate(std::span<const double> extensions, int steps) = 0;
     /// After step t of locomotion, from 1 on.
@@ -40,9 +46,10 @@ class TrialObserver {
 };
 
 /// Loads the body into the engine, lets it settle if there is gravity, and moves it for locomotion_steps. Of the
-/// parameters it reads those of settling and gait.
+/// parameters it reads those of settling and gait. A body that comes into a world with another ground is set on it,
+/// straight up or down, as at first.
 Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
                const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch = {},
-               TrialObserver *observer = nullptr);
+               TrialObserver *observer = nullptr, const Course &course = {});
 
 } // namespace planula

@@ -4,7 +4,6 @@
 #include "physics/laws/contact.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace planula {
 
@@ -37,10 +36,7 @@ std::vector<char> contact_masks(const Body &body, const std::vector<int> &cells,
 Vec2d placement(const Body &body, const Environment &environment) {
     const Vec2d centre = centre_of_mass(body.positions);
     if (!environment.has_ground) return -centre;
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec2d p : body.positions)
-        lowest = std::min(lowest, p.y - ground_height(environment, p.x - centre.x));
-    return {-centre.x, -lowest};
+    return {-centre.x, -height_of_lowest(body.positions, -centre.x, environment)};
 }
 
 } // namespace

@@ -22,8 +22,14 @@ class Engine {
   public:
     virtual ~Engine() = default;
 
-    /// Takes the body at rest, muscles off. Model and environment must outlive the engine's use of them.
-    virtual void load(const SoftBodyModel &model, const Environment &environment) = 0;
+    /// Takes the body in this state, muscles off. Model and environment must outlive the engine's use of them.
+    virtual void load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) = 0;
+    /// Takes the body at rest where the model has it.
+    void load(const SoftBodyModel &model, const Environment &environment) {
+        load(model, environment, at_rest(model));
+    }
+    /// From now on the fluid flows so where no region has a flow of its own; at first as it does at step 0.
+    virtual void set_flow(Vec2d flow) = 0;
     /// Muscles: over the next `steps` steps, >= 1, the rest length of each spring goes linearly to the one that these
     /// extensions of its two nodes give (laws/spring.h: actuated_length). It is reached at the last of these steps and
     /// stays there. At first all extensions are 0.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace planula {
@@ -36,6 +37,7 @@ void check_environment(const Environment &environment) {
     require(environment.gravity == 0 || environment.has_ground,
             "gravity without ground lets a body fall for ever: give a ground, or gravity 0",
             environment.gravity);
+    check_fields(environment);
 
     // A polyline of finite points, from left to right.
     const auto &ground = environment.ground;
@@ -72,6 +74,12 @@ bool is_at_ground(const Environment &environment, Vec2d point, double reach) {
     for (; right != ground.end() && (right - 1)->x <= point.x + reach; ++right)
         if (length(point - foot_on_segment(point, *(right - 1), *right).point) < reach) return true;
     return false;
+}
+
+double height_of_lowest(std::span<const Vec2d> points, double aside, const Environment &environment) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2d p : points) lowest = std::min(lowest, p.y - ground_height(environment, p.x + aside));
+    return lowest;
 }
 
 } // namespace planula

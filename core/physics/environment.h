@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The world that a soft body moves in, as an experiment states it: gravity, ground, friction, fluid drag and flow, in
-// any combination (§2.5). The paper's two worlds are rows of experiments/paper/environments.lua.
+// any combination (§2.5), and fields that differ from place to place and from time to time (decision 0025). The paper's two worlds are rows of experiments/paper/environments.lua.
 #pragma once
 
 #include "base/vec2.h"
+#include "physics/fields.h"
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 namespace planula {
@@ -18,11 +21,23 @@ struct Environment {
     double drag_tangential = 0;
     Vec2d flow; // velocity of the fluid, cells/t.u.
 
-    bool has_fluid() const { return drag_normal > 0 || drag_tangential > 0; }
+    double gravity_direction = 0; // counter-clockwise from straight down, degrees
+    Current current;              // instead of `flow`, if it changes
+    std::vector<Region> regions;  // outside of all of them hold the numbers above
+
+    bool has_fluid() const {
+        const auto drags = [](const auto &where) {
+            return where.drag_normal > 0 || where.drag_tangential > 0;
+        };
+        return drags(*this) || std::any_of(regions.begin(), regions.end(), drags);
+    }
+    /// The velocity of the fluid outside of all regions after so many steps of locomotion.
+    Vec2d flow_at(double steps) const { return current.changes() ? current.at(steps) : flow; }
 };
 
 /// Throws InputError stating the rule and the value: non-finite or negative numbers, a polyline that does not
-/// ascend or leaves ±1e9 cells, gravity without ground (a body would fall for ever).
+/// ascend or leaves ±1e9 cells, gravity without ground (a body would fall for ever); gravity that points up, regions
+/// without inside, more than 100 regions, buoyancy in a region with sides or in tilted gravity.
 void check_environment(const Environment &environment);
 
 /// Height of the ground below x; the environment must have ground.
@@ -30,5 +45,8 @@ double ground_height(const Environment &environment, double x);
 
 /// Whether a point lies below the ground or less than `reach` from it; never where there is none.
 bool is_at_ground(const Environment &environment, Vec2d point, double reach);
+
+/// How high the lowest of these points, moved along x by `aside`, is above the ground, which the environment must have.
+double height_of_lowest(std::span<const Vec2d> points, double aside, const Environment &environment);
 
 } // namespace planula

@@ -12,8 +12,6 @@ namespace planula {
 
 namespace {
 
-template <class T> Vec2<T> rounded_to(Vec2d v) { return {static_cast<T>(v.x), static_cast<T>(v.y)}; }
-
 /// A plane counts from its point nearest to the origin, where the numbers of nodes are finest.
 template <class T> Piece<T> piece_between(Vec2<T> from, Vec2<T> to) {
     const Vec2d a{from.x, from.y}, b{to.x, to.y}, along = b - a;
@@ -29,8 +27,8 @@ bool is_level(const std::vector<Vec2d> &line) {
 
 } // namespace
 
-Vec2d origin_for(const SoftBodyModel &model, const Environment &environment) {
-    const Vec2d centre = centre_of_mass(model.positions);
+Vec2d origin_for(std::span<const Vec2d> positions, const Environment &environment) {
+    const Vec2d centre = centre_of_mass(positions);
     const double x = std::round(centre.x);
     return {x, environment.has_ground ? ground_height(environment, x) : std::round(centre.y)};
 }

@@ -29,4 +29,14 @@ struct SoftBodyModel {
     }
 };
 
+/// Where the nodes of a body are and how they move, world frame: one each.
+struct BodyState {
+    std::vector<Vec2d> positions, velocities;
+};
+
+/// The body at rest where the model has it.
+inline BodyState at_rest(const SoftBodyModel &model) {
+    return {model.positions, std::vector<Vec2d>(model.positions.size())};
+}
+
 } // namespace planula

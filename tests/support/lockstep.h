@@ -28,10 +28,12 @@ inline Bound rounding_bound(const Environment &environment) {
 /// it their nodes are compared.
 class Lockstep : public Engine {
   public:
-    void load(const SoftBodyModel &model, const Environment &environment) override {
+    using Engine::load;
+    void load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) override {
         model_ = &model;
-        native_.load(model, environment), reference_.load(model, environment);
+        native_.load(model, environment, state), reference_.load(model, environment, state);
     }
+    void set_flow(Vec2d flow) override { native_.set_flow(flow), reference_.set_flow(flow); }
     void actuate(std::span<const double> extensions, int interval) override {
         native_.actuate(extensions, interval), reference_.actuate(extensions, interval);
     }

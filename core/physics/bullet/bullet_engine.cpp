@@ -26,27 +26,33 @@ Vec2d to_plane(const btVector3 &v) { return {v.x(), v.y()}; }
 /// A Bullet world with one body in it. Members are destroyed in the order that Bullet asks for.
 class BulletEngine::World {
   public:
-    World(const SoftBodyModel &model, const Environment &environment)
-        : model_(model), environment_(environment), dispatcher_(&configuration_),
+    World(const SoftBodyModel &model, const Environment &environment, const BodyState &state)
+        : model_(model), environment_(environment), surroundings_(environment), dispatcher_(&configuration_),
           world_(&dispatcher_, &broadphase_, &solver_, &configuration_), sphere_(node_radius),
           rest_lengths_(model) {
-        world_.setGravity(to_bullet({0, -environment.gravity}));
+        world_.setGravity(to_bullet(surroundings_.gravity));
         if (environment.has_ground) add_ground();
-        for (const Vec2d position : model.positions) add_node(position);
+        for (std::size_t i = 0; i < state.positions.size(); ++i)
+            add_node(state.positions[i], state.velocities[i]);
     }
     ~World() {
         for (const auto &body : nodes_) world_.removeRigidBody(body.get());
         for (const auto &body : grounds_) world_.removeRigidBody(body.get());
     }
 
+    void set_flow(Vec2d flow) { surroundings_ = reference::Surroundings(environment_, flow); }
     void actuate(std::span<const double> extensions, int steps) { rest_lengths_.actuate(extensions, steps); }
 
     Motion step(double damping) {
         rest_lengths_.advance();
         const reference::Nodes nodes{positions(), velocities()};
-        const auto forces = reference::forces_on(model_, environment_, rest_lengths_.now(), nodes);
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
+        const auto forces = reference::forces_on(model_, surroundings_, rest_lengths_.now(), nodes);
+        for (std::size_t i = 0; i < nodes_.size(); ++i) {
             nodes_[i]->applyCentralForce(to_bullet(forces[i] - nodes.velocities[i] * damping));
+            if (surroundings_.water.empty()) continue;
+            const Vec2d carried = surroundings_.fall(nodes.positions[i]) - surroundings_.gravity;
+            nodes_[i]->applyCentralForce(to_bullet(carried));
+        }
         world_.stepSimulation(model_.time_step, 0);
         return reference::motion_of(velocities(), model_);
     }
@@ -63,7 +69,7 @@ class BulletEngine::World {
     }
 
   private:
-    void add_node(Vec2d position) {
+    void add_node(Vec2d position, Vec2d velocity) {
         btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, &sphere_, btVector3(0, 0, 0));
         info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), to_bullet(position));
         info.m_friction = environment_.friction;
@@ -72,6 +78,7 @@ class BulletEngine::World {
         node->setLinearFactor(btVector3(1, 1, 0));
         node->setAngularFactor(btVector3(0, 0, 0));
         node->setActivationState(DISABLE_DEACTIVATION);
+        node->setLinearVelocity(to_bullet(velocity));
         world_.addRigidBody(node.get(), nodes_group, ground_group);
         nodes_.push_back(std::move(node));
     }
@@ -112,6 +119,7 @@ class BulletEngine::World {
 
     const SoftBodyModel &model_;
     const Environment &environment_;
+    reference::Surroundings surroundings_;
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_;
     btDbvtBroadphase broadphase_;
@@ -126,9 +134,14 @@ class BulletEngine::World {
 BulletEngine::BulletEngine() = default;
 BulletEngine::~BulletEngine() = default;
 
-void BulletEngine::load(const SoftBodyModel &model, const Environment &environment) {
+void BulletEngine::load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) {
     world_.reset(); // one world at a time
-    world_ = std::make_unique<World>(model, environment);
+    world_ = std::make_unique<World>(model, environment, state);
+}
+
+void BulletEngine::set_flow(Vec2d flow) {
+    CHECK(world_ != nullptr);
+    world_->set_flow(flow);
 }
 
 void BulletEngine::actuate(std::span<const double> extensions, int steps) {

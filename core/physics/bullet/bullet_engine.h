@@ -16,7 +16,9 @@ class BulletEngine : public Engine {
     BulletEngine();
     ~BulletEngine() override;
 
-    void load(const SoftBodyModel &model, const Environment &environment) override;
+    using Engine::load;
+    void load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) override;
+    void set_flow(Vec2d flow) override;
     void actuate(std::span<const double> extensions, int steps) override;
     Motion step(double damping) override;
     std::vector<Vec2d> positions() const override;

@@ -5,6 +5,7 @@
 
 #include "base/lane_sets.h"
 #include "physics/laws/ground.h"
+#include "physics/laws/region.h"
 #include "physics/native/layout.h"
 
 #include <cstdint>
@@ -12,6 +13,13 @@
 #include <vector>
 
 namespace planula::native {
+
+/// Gravity in a step: v ← v + (x, y)·share at the height of the node.
+struct Gravity {
+    float x, y;
+    const Layer<float> *layers;
+    int layer_count;
+};
 
 /// One step of all nodes: their state, what acts on them, and the numbers of the laws.
 struct StepTask {
@@ -22,6 +30,7 @@ struct StepTask {
     float knot_steps;               // since the last knot, this one included
     float stiffness, damping;       // of springs
     float time_step, slowing, fall; // v ← (v + F·time_step)·slowing, v_y ← v_y − fall
+    const Gravity *gravity;         // instead of `fall`, if it is not null
     const Piece<float> *ground;     // left to right
     int pieces;                     // 0: no ground, 1: level
     int *below;                     // per node, the piece below it when last looked for
@@ -41,6 +50,8 @@ struct DragTask {
     const LinkGroup *links_at; // of groups of nodes, `links_per_node` each
     int node_groups, links_per_node;
     float normal, tangential, flow_x, flow_y;
+    const FluidRegion<float> *regions = nullptr;
+    int region_count = 0;
 };
 
 /// A force in an array of records.
@@ -84,6 +95,9 @@ struct Kernel {
     /// Half the drag on each outline link, the record after them left as it is, and per node the sum of what its
     /// links have there, in their order from 0 on.
     void (*drag)(const DragTask &task, const Record *now, Force *half, float *push_x, float *push_y);
+    /// The same, each link in the fluid at its middle.
+    void (*drag_in_regions)(const DragTask &task, const Record *now, Force *half, float *push_x,
+                            float *push_y);
     /// Leaves the last knot for the next.
     void (*reach_knot)(const KnotTask &task, Slot *slots);
 

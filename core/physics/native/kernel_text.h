@@ -10,6 +10,7 @@
 #include "physics/laws/drag.h"
 #include "physics/laws/ground.h"
 #include "physics/laws/pressure.h"
+#include "physics/laws/region.h"
 #include "physics/laws/spring.h"
 #include "physics/native/kernel.h"
 
@@ -110,6 +111,11 @@ template <class T> Vec2<T> contact_with_line(const StepTask &task, int first, Ve
     return {load<T>(vx), load<T>(vy)};
 }
 
+/// What gravity adds to the velocity of nodes where it is tilted or water carries them.
+template <class T> Vec2<T> gravity_in_step(const Gravity &gravity, Vec2<T> position) {
+    return Vec2<T>{gravity.x, gravity.y} * gravity_share(position.y, gravity.layers, gravity.layer_count);
+}
+
 /// Nodes and the forces on them.
 template <class T> struct Forced {
     Nodes<T> nodes;
@@ -122,7 +128,10 @@ template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced
     const T time_step(task.time_step), slowing(task.slowing), fall(task.fall);
     const auto &[position, velocity] = forced.nodes;
     Vec2<T> v = (velocity + forced.force * time_step) * slowing;
-    v.y = v.y - fall;
+    if (task.gravity)
+        v += gravity_in_step(*task.gravity, position);
+    else
+        v.y = v.y - fall;
     if (task.pieces == 1)
         v = contact_with_level(task, position, v);
     else if (task.pieces > 1)
@@ -161,17 +170,20 @@ template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const 
     return {-least_of(-fastest), !all_of<T>(within)};
 }
 
-template <class T>
+template <class T, bool in_regions>
 [[gnu::flatten]] void drag(const DragTask &task, const Record *now, Force *half, float *push_x,
                            float *push_y) {
-    const T normal(task.normal), tangential(task.tangential);
-    const Vec2<T> flow{task.flow_x, task.flow_y};
+    const Fluid<T> open{task.normal, task.tangential, {task.flow_x, task.flow_y}};
     for (int i = 0; i < task.group_count; ++i)
         for (int lane = 0; lane < group_size; lane += T::width) {
             const Nodes<T> a = load_nodes<T>(now, task.outline[i].a + lane);
             const Nodes<T> b = load_nodes<T>(now, task.outline[i].b + lane);
-            const Vec2<T> through = (a.velocity + b.velocity) * T(0.5) - flow;
-            const Vec2<T> own = drag_force(b.position - a.position, through, normal, tangential) * T(0.5);
+            Fluid<T> fluid = open;
+            if constexpr (in_regions)
+                fluid = fluid_at((a.position + b.position) * T(0.5), open, task.regions, task.region_count);
+            const Vec2<T> through = (a.velocity + b.velocity) * T(0.5) - fluid.flow;
+            const Vec2<T> own =
+                drag_force(b.position - a.position, through, fluid.normal, fluid.tangential) * T(0.5);
             store_fields(Fields<T>{own.x, own.y, own.x, own.y}, &half[i * group_size + lane].x);
         }
 
@@ -291,7 +303,8 @@ template <class T>
 template <class T, class Pair = T> Kernel kernel_of(const char *name) {
     return {name,
             step<Pair>,
-            drag<T>,
+            drag<T, false>,
+            drag<T, true>,
             reach_knot<Pair>,
             squared_motion<T>,
             circle_links<T>,

@@ -6,23 +6,18 @@
 
 namespace planula {
 
-namespace {
-
-Vec2f to_float(Vec2d v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
-} // namespace
-
-void NativeEngine::load(const SoftBodyModel &model, const Environment &environment) {
+void NativeEngine::load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) {
+    environment_ = &environment;
     body_ = native::lay_out(model);
     contact_.load(body_, kernel_);
-    origin_ = origin_for(model, environment);
+    origin_ = origin_for(state.positions, environment);
     ground_ = lay_ground<float>(environment, origin_);
 
-    // At rest, muscles off.
     now_.clear();
     for (const int cell : body_.cell_of) {
-        const Vec2f place = to_float(model.positions[cell] - origin_);
-        now_.push_back({place.x, place.y, 0, 0});
+        const auto place = rounded_to<float>(state.positions[cell] - origin_);
+        const auto velocity = rounded_to<float>(state.velocities[cell]);
+        now_.push_back({place.x, place.y, velocity.x, velocity.y});
     }
     next_ = now_;
     below_.assign(now_.size(), 0);
@@ -31,11 +26,12 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     half_drag_.assign(body_.outline.size() * native::group_size + 1, {});
     touched_ = false, moved_ = 0;
     knot_steps_ = knot_interval_ = 0, muscles_move_ = false;
-    set_tasks(model, environment);
+    set_tasks(model);
 }
 
 /// The numbers of the laws, and the arrays that the kernel works on.
-void NativeEngine::set_tasks(const SoftBodyModel &model, const Environment &environment) {
+void NativeEngine::set_tasks(const SoftBodyModel &model) {
+    const Environment &environment = *environment_;
     const BodyParameters &p = model.body;
     const auto dt = static_cast<float>(model.time_step);
     const auto limit = static_cast<float>(p.node_speed_limit / model.time_step);
@@ -48,12 +44,13 @@ void NativeEngine::set_tasks(const SoftBodyModel &model, const Environment &envi
              .damping = static_cast<float>(p.spring_damping),
              .time_step = dt,
              .fall = static_cast<float>(environment.gravity) * dt,
+             .gravity = nullptr,
              .ground = ground_.data(),
              .pieces = static_cast<int>(ground_.size()),
              .below = below_.data(),
              .friction = static_cast<float>(environment.friction),
              .squared_limit = limit * limit};
-    const Vec2f flow = to_float(environment.flow);
+    set_gravity();
     const int drag_groups = environment.has_fluid() ? static_cast<int>(body_.outline.size()) : 0;
     drag_ = {body_.outline.data(),
              drag_groups,
@@ -62,8 +59,28 @@ void NativeEngine::set_tasks(const SoftBodyModel &model, const Environment &envi
              body_.links_per_node,
              static_cast<float>(environment.drag_normal),
              static_cast<float>(environment.drag_tangential),
-             flow.x,
-             flow.y};
+             0,
+             0,
+             nullptr,
+             0};
+    set_flow(environment.flow_at(0));
+}
+
+/// Gravity that is not the same straight down everywhere.
+void NativeEngine::set_gravity() {
+    water_ = lay_water<float>(*environment_, origin_);
+    if (water_.empty() && environment_->gravity_direction == 0) return;
+    const Vec2d fall = gravity_vector(environment_->gravity, environment_->gravity_direction);
+    gravity_ = {static_cast<float>(fall.x) * task_.time_step, static_cast<float>(fall.y) * task_.time_step,
+                water_.data(), static_cast<int>(water_.size())};
+    task_.gravity = &gravity_;
+}
+
+void NativeEngine::set_flow(Vec2d flow) {
+    const auto rounded = rounded_to<float>(flow);
+    drag_.flow_x = rounded.x, drag_.flow_y = rounded.y;
+    regions_ = lay_regions<float>(*environment_, flow, origin_);
+    drag_.regions = regions_.data(), drag_.region_count = static_cast<int>(regions_.size());
 }
 
 void NativeEngine::actuate(std::span<const double> extensions, int steps) {
@@ -100,7 +117,8 @@ void NativeEngine::push_outline() {
     const int first = body_.outline_group() * native::group_size;
     const auto touches = contact_.touches(now_.data(), moved_);
     if (drag_.group_count > 0)
-        kernel_.drag(drag_, now_.data(), half_drag_.data(), &push_x_[first], &push_y_[first]);
+        (regions_.empty() ? kernel_.drag : kernel_.drag_in_regions)(drag_, now_.data(), half_drag_.data(),
+                                                                    &push_x_[first], &push_y_[first]);
     else if (touched_)
         std::fill(push_x_.begin() + first, push_x_.end(), 0.0f),
             std::fill(push_y_.begin() + first, push_y_.end(), 0.0f);

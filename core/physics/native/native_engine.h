@@ -7,6 +7,7 @@
 #include "physics/ground.h"
 #include "physics/native/contact.h"
 #include "physics/native/kernel.h"
+#include "physics/surroundings.h"
 
 namespace planula {
 
@@ -16,20 +17,27 @@ class NativeEngine : public Engine {
     NativeEngine(const NativeEngine &) = delete; // its parts point at each other
     NativeEngine &operator=(const NativeEngine &) = delete;
 
-    void load(const SoftBodyModel &model, const Environment &environment) override;
+    using Engine::load;
+    void load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) override;
+    void set_flow(Vec2d flow) override;
     void actuate(std::span<const double> extensions, int steps) override;
     Motion step(double damping) override;
     std::vector<Vec2d> positions() const override;
     std::vector<Vec2d> velocities() const override;
 
   private:
-    void set_tasks(const SoftBodyModel &model, const Environment &environment);
+    void set_tasks(const SoftBodyModel &model);
+    void set_gravity();
     void push_outline();
 
     const native::Kernel &kernel_;
+    const Environment *environment_ = nullptr;
     native::Layout body_;
     Vec2d origin_; // that the numbers of nodes and ground count from, world frame
     std::vector<Piece<float>> ground_;
+    std::vector<FluidRegion<float>> regions_;
+    std::vector<Layer<float>> water_;
+    native::Gravity gravity_;
     std::vector<int> below_; // per node, copies included, the number of a piece of ground
     native::StepTask task_;
     native::DragTask drag_;

@@ -8,12 +8,18 @@
 
 namespace planula::reference {
 
-std::vector<Vec2d> forces_on(const SoftBodyModel &model, const Environment &environment,
+Surroundings::Surroundings(const Environment &environment, Vec2d flow)
+    : open{environment.drag_normal, environment.drag_tangential, flow},
+      regions(lay_regions<double>(environment, flow, {})),
+      gravity(gravity_vector(environment.gravity, environment.gravity_direction)),
+      water(lay_water<double>(environment, {})) {}
+
+std::vector<Vec2d> forces_on(const SoftBodyModel &model, const Surroundings &surroundings,
                              std::span<const double> rest_lengths, const Nodes &nodes) {
     std::vector<Vec2d> forces(nodes.positions.size());
     add_springs(model, rest_lengths, nodes, forces);
     add_pressure(model, nodes.positions, forces);
-    add_drag(model, environment, nodes, forces);
+    add_drag(model, surroundings, nodes, forces);
     add_contact(model, nodes.positions, forces);
     return forces;
 }
@@ -57,15 +63,15 @@ void add_contact(const SoftBodyModel &model, std::span<const Vec2d> x, std::span
         }
 }
 
-// Rule W2.
-void add_drag(const SoftBodyModel &model, const Environment &environment, const Nodes &nodes,
+// Rule W2, with the fluid at the middle of a link.
+void add_drag(const SoftBodyModel &model, const Surroundings &surroundings, const Nodes &nodes,
               std::span<Vec2d> forces) {
-    if (!environment.has_fluid()) return;
     const auto &[x, v] = nodes;
     for (const OutlineLink &link : model.outline) {
-        const Vec2d through = (v[link.a] + v[link.b]) * 0.5 - environment.flow;
-        const Vec2d drag =
-            drag_force(x[link.b] - x[link.a], through, environment.drag_normal, environment.drag_tangential);
+        const Fluid<double> fluid = surroundings.fluid((x[link.a] + x[link.b]) * 0.5);
+        if (fluid.normal == 0 && fluid.tangential == 0) continue;
+        const Vec2d through = (v[link.a] + v[link.b]) * 0.5 - fluid.flow;
+        const Vec2d drag = drag_force(x[link.b] - x[link.a], through, fluid.normal, fluid.tangential);
         forces[link.a] += drag * 0.5;
         forces[link.b] += drag * 0.5;
     }

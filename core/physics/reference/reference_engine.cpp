@@ -5,13 +5,17 @@
 
 namespace planula {
 
-void ReferenceEngine::load(const SoftBodyModel &model, const Environment &environment) {
+void ReferenceEngine::load(const SoftBodyModel &model, const Environment &environment,
+                           const BodyState &state) {
     model_ = &model, environment_ = &environment;
-    origin_ = origin_for(model, environment);
+    origin_ = origin_for(state.positions, environment);
     ground_ = lay_ground<double>(environment, origin_);
     rest_lengths_ = reference::RestLengths(model);
-    nodes_ = {model.positions, std::vector<Vec2d>(model.positions.size())};
+    nodes_ = state;
+    surroundings_ = environment;
 }
+
+void ReferenceEngine::set_flow(Vec2d flow) { surroundings_ = reference::Surroundings(*environment_, flow); }
 
 void ReferenceEngine::actuate(std::span<const double> extensions, int steps) {
     rest_lengths_.actuate(extensions, steps);
@@ -20,7 +24,7 @@ void ReferenceEngine::actuate(std::span<const double> extensions, int steps) {
 /// Rule B6: all forces are taken at the start of the step; semi-implicit Euler with the ground in between.
 Motion ReferenceEngine::step(double damping) {
     rest_lengths_.advance(); // rule G3
-    const auto forces = reference::forces_on(*model_, *environment_, rest_lengths_.now(), nodes_);
+    const auto forces = reference::forces_on(*model_, surroundings_, rest_lengths_.now(), nodes_);
     accelerate(forces, damping);
     meet_ground();
     move();
@@ -33,7 +37,7 @@ void ReferenceEngine::accelerate(std::span<const Vec2d> forces, double damping) 
     for (std::size_t i = 0; i < forces.size(); ++i) {
         Vec2d &v = nodes_.velocities[i];
         v = (v + forces[i] * dt) * (1 - damping * dt);
-        v.y -= environment_->gravity * dt;
+        v += surroundings_.fall(nodes_.positions[i]) * dt;
     }
 }
 

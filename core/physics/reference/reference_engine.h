@@ -12,7 +12,9 @@ namespace planula {
 
 class ReferenceEngine : public Engine {
   public:
-    void load(const SoftBodyModel &model, const Environment &environment) override;
+    using Engine::load;
+    void load(const SoftBodyModel &model, const Environment &environment, const BodyState &state) override;
+    void set_flow(Vec2d flow) override;
     void actuate(std::span<const double> extensions, int steps) override;
     Motion step(double damping) override;
     std::vector<Vec2d> positions() const override { return nodes_.positions; }
@@ -30,6 +32,7 @@ class ReferenceEngine : public Engine {
     const Environment *environment_ = nullptr;
     Vec2d origin_; // that the ground counts from, world frame
     std::vector<Piece<double>> ground_;
+    reference::Surroundings surroundings_;
     reference::RestLengths rest_lengths_;
     reference::Nodes nodes_;
 };

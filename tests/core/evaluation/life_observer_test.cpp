@@ -63,7 +63,11 @@ Observations observed(const SoftBodyModel &model, const Environment &environment
 
 /// An engine whose nodes stay where they are.
 struct StillEngine : Engine {
-    void load(const SoftBodyModel &model, const Environment &) override { places = model.positions; }
+    using Engine::load;
+    void load(const SoftBodyModel &, const Environment &, const BodyState &state) override {
+        places = state.positions;
+    }
+    void set_flow(Vec2d) override {}
     void actuate(std::span<const double>, int) override {}
     Motion step(double) override { return {}; }
     std::vector<Vec2d> positions() const override { return places; }
@@ -73,6 +77,7 @@ struct StillEngine : Engine {
 
 /// Beside the engine's steps: what water and the damping of springs take (as in mechanics_test.cpp).
 struct Heat : TrialObserver {
+    void change(const SoftBodyModel &, const Environment &, const Engine &) override {}
     void begin(const SoftBodyModel &body, const Environment &world, const Engine &engine,
                std::span<const double>) override {
         model = &body, environment = &world;

@@ -170,3 +170,84 @@ BOOST_AUTO_TEST_CASE(a_nudge_moves_every_node_a_little_and_depends_on_its_number
         BOOST_TEST((one[i] != two[i]));
     }
 }
+
+BOOST_AUTO_TEST_CASE(a_life_with_phases_tells_what_it_did_in_each_world) {
+    for (const Actuation actuation : {Actuation::oscillator, Actuation::grn}) {
+        Conditions given = conditions(actuation, false);
+        given.parameters.gait.locomotion_steps = 600;
+        given.phases = {{200, land(), 0.3, true}, {400, water(), 0.4, false}};
+        BOOST_TEST(live(lump_genome(actuation, 6), given).observations.phase_start.empty());
+        for (const Observation one : {Observation::phase_start, Observation::phase_finish,
+                                      Observation::phase_steps, Observation::phase_settle_steps})
+            given.observed.add(one);
+        const Life life = live(lump_genome(actuation, 6), given);
+        const Observations &told = life.observations;
+        BOOST_TEST(life.outcome == Outcome::viable);
+        BOOST_TEST(told.phase_steps == (std::vector<double>{200, 200, 200}));
+        BOOST_TEST(life.settle_steps == 0);
+        BOOST_TEST_REQUIRE(told.phase_settle_steps.size() == 3u);
+        BOOST_TEST(told.phase_settle_steps[1] > 0);
+        BOOST_TEST((told.phase_start.front() == life.rest));
+        BOOST_TEST((told.phase_finish.back() == life.finish));
+        given.refinement = 2;
+        BOOST_TEST(live(lump_genome(actuation, 6), given).observations.phase_steps[1] == 400);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_damaged_body_moves_with_what_is_left) {
+    for (const Actuation actuation : {Actuation::oscillator, Actuation::grn})
+        for (const bool on_land : {false, true})
+            for (const int at : {0, 200}) {
+                Conditions given = conditions(actuation, on_land);
+                given.parameters.gait.locomotion_steps = 400;
+                given.damage = Damage{.at = at, .share = 0.4, .side = Side::right};
+                std::vector<int> bodies;
+                std::size_t nodes_at_end = 0;
+                Watch watch;
+                watch.born = [&](const Body &body) { bodies.push_back(body.cells()); };
+                watch.move = [&](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
+                    nodes_at_end = nodes.size();
+                    BOOST_TEST(signal.size() == nodes.size());
+                    BOOST_TEST(nodes.size() ==
+                               static_cast<std::size_t>(step > at || at == 0 ? bodies.back() : bodies[0]));
+                };
+                const Life life = live(disc_genome(actuation), given, watch);
+                BOOST_TEST(life.outcome == Outcome::viable);
+                BOOST_TEST_REQUIRE(bodies.size() == 2u);
+                BOOST_TEST(life.cells == bodies[0]);
+                BOOST_TEST(bodies[1] <= 0.6 * bodies[0] + 1);
+                BOOST_TEST(nodes_at_end == static_cast<std::size_t>(bodies[1]));
+                BOOST_TEST((live(disc_genome(actuation), given) == life));
+                BOOST_TEST((life.activity > 0) == (actuation == Actuation::grn));
+            }
+}
+
+BOOST_AUTO_TEST_CASE(a_body_of_which_too_little_is_left_is_too_small) {
+    Conditions given = conditions(Actuation::oscillator, false);
+    for (const int at : {0, 200}) {
+        given.damage = Damage{.at = at, .share = 0.95};
+        const Life life = live(disc_genome(Actuation::oscillator), given);
+        BOOST_TEST(life.outcome == Outcome::too_small);
+        BOOST_TEST(life.cells > 50);
+        BOOST_TEST(life.displacement() == 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_a_life_tells_is_of_what_is_left_of_the_body) {
+    Conditions given = conditions(Actuation::oscillator, true);
+    given.parameters.gait.locomotion_steps = 600;
+    given.damage = Damage{.at = 400, .share = 0.4, .side = Side::right};
+    given.phases = {{200, water(), 0.4, false}};
+    for (std::size_t one = 0; one < observation_rows().size(); ++one)
+        given.observed.add(static_cast<Observation>(one));
+    const Life life = live(disc_genome(Actuation::oscillator), given);
+    BOOST_TEST_REQUIRE(life.outcome == Outcome::viable);
+    const Observations &told = life.observations;
+    BOOST_TEST(told.body.size() == static_cast<std::size_t>(life.cells));
+    BOOST_TEST(told.final_shape.size() < told.body.size());
+    BOOST_TEST(told.signals.front().size() == told.body.size());
+    BOOST_TEST(told.signals.back().size() == told.final_shape.size());
+    BOOST_TEST(told.contact_time > 0.1);
+    BOOST_TEST(told.contact_time < 0.4);
+    BOOST_TEST(told.work > 0);
+}

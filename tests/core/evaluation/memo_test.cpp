@@ -110,3 +110,15 @@ BOOST_AUTO_TEST_CASE(known_individuals_do_not_depend_on_threads) {
     BOOST_TEST(known_of(memo, first, given, 3).lives == 0); // equals of one generation do not see each other
     BOOST_TEST(known_of(memo, second, given, 3).lives == 6);
 }
+
+BOOST_AUTO_TEST_CASE(a_known_movement_has_the_phases_and_the_damage_of_the_conditions) {
+    Conditions given = conditions(Actuation::oscillator);
+    given.phases = {{200, water(), 0.4, false}};
+    given.damage = Damage{.at = 100, .share = 0.3, .side = Side::random};
+    const Genome disc = disc_genome(Actuation::oscillator);
+    given.observed.add(Observation::phase_finish);
+    Memo memo(given);
+    known_of(memo, {disc}, given);
+    BOOST_TEST(known_of(memo, {with_idle_node(disc)}, given).movements == 1);
+    BOOST_TEST(live(disc, given).observations.phase_finish.size() == 2u);
+}

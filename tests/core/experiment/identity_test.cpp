@@ -74,6 +74,53 @@ BOOST_AUTO_TEST_CASE(a_changed_key_changes_the_identity_and_is_named_with_both_v
                "environment flow y: recorded with 0, asked for with -1");
 }
 
+BOOST_AUTO_TEST_CASE(fields_phases_and_damage_are_in_the_identity_only_if_they_are_stated) {
+    for (const IdentityItem &item : identity_of(setting(), seed).items)
+        for (const std::string key : {"direction", "regions", "environment current", "phase", "damage"})
+            BOOST_TEST(item.key.find(key) == std::string::npos, item.key);
+    BOOST_TEST(change_of([](Spec &s) { s.environment.gravity_direction = -10; }) ==
+               "environment gravity direction: recorded with 0, asked for with -10");
+    const auto stated = [&](const std::string &key, const std::function<void(Spec &)> &change) {
+        const std::string line = change_of(change);
+        BOOST_TEST(line.starts_with(key + ": recorded with none, asked for with "), line);
+    };
+    stated("environment regions", [](Spec &s) { s.environment.regions = {{.drag_normal = 1}}; });
+    stated("environment current", [](Spec &s) { s.environment.current = {{{0, 1}, {1, 0}}, 10, true}; });
+    BOOST_TEST(change_of([](Spec &s) { s.damage = Damage{.at = 20, .share = 0.25, .side = Side::top}; }) ==
+               "damage: recorded with none, asked for with at step 20, 0.25 of the cells, top");
+
+    // Every number of theirs counts.
+    Spec whole = setting();
+    whole.environment.regions = {{{0, 1, 2, 3}, 1, 2, Vec2d{3, 4}, {}}, {{}, 0, 0, {}, 0.5}};
+    whole.environment.current = {{{0, 1}, {1, 0}}, 10, true};
+    whole.phases = {{10, specimens::water(), 0.4, false}, {20, specimens::land(), 0.3, true}};
+    whole.damage = Damage{.at = 20, .within = Box{.left = 1}};
+    const auto counts = [&](const std::function<void(Spec &)> &change) {
+        Spec other = whole;
+        change(other);
+        const Identity a = identity_of(whole, seed), b = identity_of(other, seed);
+        BOOST_TEST(differences(a, b).size() == 1u);
+        BOOST_TEST(a.sha256() != b.sha256());
+    };
+    counts([](Spec &s) { s.environment.regions[0].box.top = 4; });
+    counts([](Spec &s) { s.environment.regions[0].drag_tangential = 4; });
+    counts([](Spec &s) { s.environment.regions[0].flow->y = 0; });
+    counts([](Spec &s) { s.environment.regions[0].flow.reset(); });
+    counts([](Spec &s) { s.environment.regions[1].buoyancy = 0; });
+    counts([](Spec &s) { std::swap(s.environment.regions[0], s.environment.regions[1]); });
+    counts([](Spec &s) { s.environment.current.samples[1].y = 1; });
+    counts([](Spec &s) { s.environment.current.step = 20; });
+    counts([](Spec &s) { s.environment.current.repeats = false; });
+    counts([](Spec &s) { s.phases[0].at = 15; });
+    counts([](Spec &s) { s.phases[1].settles = false; });
+    counts([](Spec &s) { s.phases[0].actuation_range = 0.1; });
+    counts([](Spec &s) { s.phases[1].environment.friction = 0.1; });
+    counts([](Spec &s) { s.phases[1].environment.ground = {{0, 0}, {1, 1}}; });
+    counts([](Spec &s) { s.phases[1].environment.regions = {{.buoyancy = 1}}; });
+    counts([](Spec &s) { s.damage->at = 0; });
+    counts([](Spec &s) { s.damage->within->left = 2; });
+}
+
 BOOST_AUTO_TEST_CASE(grounds_are_told_apart_point_by_point) {
     BOOST_TEST(change_of([](Spec &s) { s.environment.has_ground = false; }) ==
                "environment ground: recorded with flat, asked for with none");

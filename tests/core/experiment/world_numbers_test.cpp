@@ -23,10 +23,10 @@ BOOST_AUTO_TEST_CASE(every_number_reads_and_writes_its_own_place) {
     for (const WorldNumber &each : world_numbers()) each.in(spec) = value++;
     value = 1;
     for (const WorldNumber &each : world_numbers()) BOOST_TEST(value_of(each, spec) == value++, each.name);
-    BOOST_TEST(world_numbers().size() == 7u);
+    BOOST_TEST(world_numbers().size() == 8u);
     BOOST_TEST(spec.environment.gravity == 1);
-    BOOST_TEST(spec.environment.flow.y == 6);
-    BOOST_TEST(spec.actuation_range == 7);
+    BOOST_TEST(spec.environment.flow.y == 7);
+    BOOST_TEST(spec.actuation_range == 8);
 }
 
 BOOST_AUTO_TEST_CASE(the_papers_parameters_exist_and_have_the_same_units) {

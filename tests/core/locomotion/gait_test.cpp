@@ -36,6 +36,7 @@ BOOST_AUTO_TEST_CASE(cells_with_equal_signals_change_a_rest_length_by_the_whole_
 
 BOOST_AUTO_TEST_CASE(a_held_gait_stays_as_it_is) {
     struct Clock : Gait {
+        void keep(std::span<const int>, std::span<const Link>) override {}
         void signals(int t, std::span<double> signal) override {
             ++asked;
             std::fill(signal.begin(), signal.end(), 0.001 * t);

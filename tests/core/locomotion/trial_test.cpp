@@ -25,13 +25,15 @@ struct SameSignal : Gait {
         asked.push_back(t);
         std::fill(signal.begin(), signal.end(), value(t));
     }
+    void keep(std::span<const int>, std::span<const Link>) override {}
     std::function<double(int)> value;
     std::vector<int> asked;
 };
 
 /// An engine that records the extension of its first node, and whose nodes have a given speed.
 struct RecordingEngine : Engine {
-    void load(const SoftBodyModel &, const Environment &) override {}
+    void load(const SoftBodyModel &, const Environment &, const BodyState &) override {}
+    void set_flow(Vec2d flow) override { flows.push_back(flow); }
     void actuate(std::span<const double> extensions, int steps) override {
         from = to, to = extensions[0], interval = steps, since = 0;
     }
@@ -46,6 +48,7 @@ struct RecordingEngine : Engine {
     std::function<double(int)> speed = [](int) { return 0.0; };
     double from = 0, to = 0;
     int interval = 0, since = 0;
+    std::vector<Vec2d> flows;
     std::vector<double> lengths, dampings; // of a spring of length 1 between equal nodes
 };
 
@@ -55,6 +58,7 @@ struct OpposedSignals : Gait {
         for (std::size_t cell = 0; cell < signal.size(); ++cell)
             signal[cell] = math::sin(math::pi * (0.02 * t + 1.37 * static_cast<double>(cell)));
     }
+    void keep(std::span<const int>, std::span<const Link>) override {}
 };
 
 /// Three rows that lie close: triangles with sides of 1, 0.64 and 0.64.
