@@ -30,6 +30,8 @@ KEY("actuation", "text", "", "needed", "§2.5", "what moves the springs: \"oscil
 KEY("search", "text", "", "needed", "§2.7", "the search that evolves the setting, one of the list below", "search = \"novelty\"")
 KEY("engine", "text", "", "\"native\"", "0017", "the physics engine, one of the list below", "engine = \"reference\"")
 KEY("environment", "table", "", "needed", "§2.5", "the world that bodies move in", "environment = paper.aquatic { flow = { x = 0.1 } }")
+KEY("phases", "list of tables", "", "one world", "0025", "further worlds that bodies come into while they move", "phases = { { at = 2000, environment = paper.terrestrial() } }")
+KEY("damage", "table", "", "none", "0025", "cells that bodies lose", "damage = { at = 2000, share = 0.3, side = \"left\" }")
 KEY("parameters", "table", "", "standard values", "ours", "departures from the standard values in this setting, by name", "parameters = { population = 40 }")
 KEY("fitness", "function", "", "needed", "Eq. 4", "fitness(life, parameters, penalty): a number, 0 or more; what searches maximise", "fitness = function(life) return life.displacement end")
 KEY("penalty", "function", "", "needed", "Eq. 6", "penalty(life, parameters): 0 … 1; 0 means that the individual is invalid", "penalty = function(life) return life.outcome == \"viable\" and 1 or 0 end")
@@ -40,10 +42,12 @@ TABLE_END
 
 TABLE(environment, "environment", "the world that bodies move in")
 KEY("gravity", "quantity", "cell/t.u.²", "0", "§2.5", "downward acceleration; needs a ground", "gravity = \"gravity\"")
+KEY("gravity_direction", "quantity", "degree", "0", "0025", "direction of gravity, counter-clockwise from straight down: more than -90, less than 90", "gravity_direction = -20")
 KEY("ground", "text or table", "", "\"none\"", "§2.5", "\"none\", \"flat\" (the line y = 0), a list of points {x, y} ascending in x, or a height function", "ground = { { -10, 0 }, { 10, 2 } }")
 KEY("friction", "quantity", "1", "0", "§2.5", "Coulomb friction between nodes and ground", "friction = 0.8")
 KEY("drag", "table", "", "no fluid", "§2.5", "the fluid's quadratic drag on the outline", "drag = { normal = 8, tangential = 4 }")
 KEY("flow", "table", "", "a fluid at rest", "ours", "velocity of the fluid", "flow = { x = 0.1 }")
+KEY("regions", "list of tables", "", "none", "0025", "rectangles with another fluid; a link of the outline is in the first one that holds its middle", "regions = { { top = 0, drag = { normal = 1, tangential = 0.1 }, buoyancy = 0.9 } }")
 KEY("actuation_range", "quantity", "rest length", "needed", "§2.5", "largest change of a rest length when both cells agree, 0 … 0.9", "actuation_range = 0.4")
 TABLE_END
 
@@ -53,8 +57,26 @@ KEY("tangential", "quantity", "mass/cell²", "needed", "0009", "drag per length 
 TABLE_END
 
 TABLE(flow, "environment.flow", "velocity of the fluid")
-KEY("x", "quantity", "cell/t.u.", "0", "ours", "to the right", "x = 0.1")
-KEY("y", "quantity", "cell/t.u.", "0", "ours", "upwards", "y = -0.1")
+KEY("x", "quantity or function", "cell/t.u.", "0", "0025", "to the right; x(t) at step t since locomotion or its phase began, which is sampled once, when the script is read", "x = 0.1")
+KEY("y", "quantity or function", "cell/t.u.", "0", "0025", "upwards, or y(t)", "y = function(t) return math.sin(t / 100) end")
+KEY("step", "number", "step", "needed by a function", "0025", "physics steps between two samples, which are joined by straight lines", "step = 10")
+KEY("period", "number", "step", "see till", "0025", "begins again after so many steps, a multiple of step", "period = 400")
+KEY("till", "number", "step", "see period", "0025", "stays as it is after so many steps, a multiple of step; at most 100000 samples", "till = 2000")
+TABLE_END
+
+TABLE(region, "environment.regions[]", "a rectangle with another fluid; gravity acts everywhere")
+KEY("from", "number", "cell", "open to the left", "0025", "its left side, which belongs to it", "from = 20")
+KEY("to", "number", "cell", "open to the right", "0025", "its right side, which does not", "to = 40")
+KEY("bottom", "number", "cell", "open below", "0025", "its lower side, which belongs to it", "bottom = -10")
+KEY("top", "number", "cell", "open above", "0025", "its upper side, which does not", "top = 0")
+KEY("drag", "table", "", "that outside", "0025", "the drag of its fluid, as of an environment", "drag = { normal = 1, tangential = 0.1 }")
+KEY("flow", "table", "", "that outside", "0025", "velocity of its fluid", "flow = { x = -0.2 }")
+KEY("buoyancy", "number", "1", "0", "0025", "share of gravity that it takes away from the cells in it, 0 … 1; of regions without from and to", "buoyancy = 0.9")
+TABLE_END
+
+TABLE(region_flow, "environment.regions[].flow", "velocity of the fluid in a region")
+KEY("x", "quantity", "cell/t.u.", "0", "0025", "to the right", "x = 0.1")
+KEY("y", "quantity", "cell/t.u.", "0", "0025", "upwards", "y = -0.1")
 TABLE_END
 
 TABLE(ground, "environment.ground", "a ground by its height, which is sampled once, when the script is read; level beyond both ends")
@@ -62,6 +84,26 @@ KEY("height", "function", "cell", "needed", "0010", "height(x): the height of th
 KEY("from", "number", "cell", "needed", "0010", "x of the first sample", "from = -50")
 KEY("to", "number", "cell", "needed", "0010", "x of the last sample", "to = 50")
 KEY("step", "number", "cell", "needed", "0010", "distance of two samples; at most 100000 samples", "step = 0.5")
+TABLE_END
+
+TABLE(phase, "phases[]", "another world that bodies come into, as they are and move")
+KEY("at", "whole number", "step", "needed", "0025", "the step of locomotion that it begins with, a multiple of knot_interval", "at = 2000")
+KEY("environment", "table", "", "needed", "0025", "the world, as that of a setting; on another ground the body is set down as at first", "environment = paper.terrestrial()")
+KEY("settle", "true or false", "", "false", "0025", "the body comes to rest before it moves on, its muscles held as they are", "settle = true")
+TABLE_END
+
+TABLE(damage, "damage", "cells that bodies lose: share and side, or within; the largest part that holds together goes on")
+KEY("at", "whole number", "step", "0", "0025", "before which step of locomotion, a multiple of knot_interval; 0: after growth", "at = 2000")
+KEY("share", "number", "1", "see within", "0025", "share of the cells at the end of development, 0 … 1", "share = 0.3")
+KEY("side", "text", "", "see within", "0025", "where they lay then: \"left\", \"right\", \"bottom\", \"top\", \"middle\", \"edge\" or, by a hash of their numbers, \"random\"", "side = \"left\"")
+KEY("within", "table", "", "see share", "0025", "all cells in a rectangle, seen from their centre of mass", "within = { from = 0 }")
+TABLE_END
+
+TABLE(damage_within, "damage.within", "a rectangle, seen from the centre of mass of the developed body")
+KEY("from", "number", "cell", "open to the left", "0025", "its left side, which belongs to it", "from = 0")
+KEY("to", "number", "cell", "open to the right", "0025", "its right side, which does not", "to = 2")
+KEY("bottom", "number", "cell", "open below", "0025", "its lower side, which belongs to it", "bottom = -1")
+KEY("top", "number", "cell", "open above", "0025", "its upper side, which does not", "top = 1")
 TABLE_END
 
 TABLE(start, "start", "how generation 0 is evolved before the run: by novelty search on growth alone")

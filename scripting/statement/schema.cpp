@@ -7,6 +7,7 @@
 #include "physics/engine.h"
 #include "statement/meaning.h"
 #include "statement/reader.h"
+#include "statement/schema_course.h"
 #include "statement/schema_environment.h"
 #include "statement/schema_statistics.h"
 
@@ -128,6 +129,8 @@ class Schema {
             spec.world_sources = std::move(world.sources);
             world_places = std::move(world.places);
         }
+        read_phases(reader, lua_, spec, world_places, problems_);
+        read_damage(reader, spec, problems_);
         read_judgement(reader, spec);
         read_start(reader, spec);
         spec.record = recording(reader, record_);

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "statement/schema_fields.h"
 
 #include <cmath>
 #include <vector>
@@ -30,21 +31,6 @@ void read_polyline(const Value &table, const Place &place, Environment &environm
     if (table.list.size() < 2) problems.add(place, place.words + " needs two points or more");
 }
 
-// The height at x; nothing, and a report, if the function fails.
-std::optional<double> height_at(LuaState &lua, int function, double x, const Place &place,
-                                Problems &problems) {
-    lua_State *L = lua.raw();
-    lua_rawgeti(L, LUA_REGISTRYINDEX, function);
-    lua_pushnumber(L, x);
-    if (const auto message = lua.call(1, {})) return problems.add(*message), std::nullopt;
-    const bool is_number = lua_type(L, -1) == LUA_TNUMBER;
-    const double height = lua_tonumber(L, -1);
-    lua_pop(L, 1);
-    if (is_number && std::isfinite(height)) return height;
-    problems.add(place, place.words + "(" + to_text(x) + ") must return a finite number");
-    return std::nullopt;
-}
-
 // from, from + step and so on below `to`, and `to`; empty if these are fewer than two or too many. A place that
 // differs from `to` by rounding only is left out.
 std::vector<double> sample_places(double from, double to, double step) {
@@ -68,7 +54,7 @@ void sample_ground(const Value &table, const Place &place, LuaState &lua, Enviro
     if (places.empty())
         return problems.add(place, place.words + ": from, to and step must give 2 … 100000 points");
     for (const double x : places) {
-        const auto y = height_at(lua, height->function, x, reader.at("height"), problems);
+        const auto y = sample_at(lua, height->function, x, reader.at("height"), problems);
         if (!y) return;
         environment.ground.push_back({x, *y});
     }
@@ -98,13 +84,14 @@ World read_environment(const Value &table, const Place &place, const Parameters 
     Reader reader(table, place, keys_of("environment"), problems);
     World world;
     Environment &environment = world.environment;
-    const auto quantity = [&](Reader &of, const char *key, const std::string &name, bool needed) {
+    const ReadQuantity quantity = [&](Reader &of, const char *key, const std::string &name, bool needed) {
         const Value *value = of.table().find(key);
         if (value && value->is(Value::Kind::text)) world.sources[name] = value->text;
         if (value && value->is(Value::Kind::number)) world.places[name] = problems.line_of(of.at(key));
         return of.quantity(key, parameters, needed).value_or(0);
     };
     environment.gravity = quantity(reader, "gravity", "gravity", false);
+    environment.gravity_direction = quantity(reader, "gravity_direction", "gravity direction", false);
     environment.friction = quantity(reader, "friction", "friction", false);
     world.actuation_range = quantity(reader, "actuation_range", "actuation_range", true);
     if (const Value *drag = reader.field("drag", Value::Kind::table, false)) {
@@ -112,11 +99,8 @@ World read_environment(const Value &table, const Place &place, const Parameters 
         environment.drag_normal = quantity(of_drag, "normal", "drag normal", true);
         environment.drag_tangential = quantity(of_drag, "tangential", "drag tangential", true);
     }
-    if (const Value *flow = reader.field("flow", Value::Kind::table, false)) {
-        Reader of_flow(*flow, reader.at("flow"), keys_of("environment.flow"), problems);
-        environment.flow.x = quantity(of_flow, "x", "flow x", false);
-        environment.flow.y = quantity(of_flow, "y", "flow y", false);
-    }
+    read_flow(reader, quantity, lua, environment, problems);
+    read_regions(reader, quantity, environment, problems);
     read_ground(reader, lua, environment, problems);
     check_at(place, problems, [&] { check_environment(environment); });
     return world;
