@@ -20,7 +20,8 @@ bool is_hash(std::string_view key) { return key == "model" || key.starts_with(fu
 
 /// A count of things and the hash of their numbers.
 std::string counted(std::size_t count, const std::string &things, const Hash &numbers) {
-    return to_text(static_cast<std::int64_t>(count)) + " " + things + " " + numbers.hex();
+    const std::string number = to_text(static_cast<std::int64_t>(count));
+    return number + " " + things + " " + numbers.hex();
 }
 
 std::string ground_text(const Environment &environment) {
@@ -48,8 +49,9 @@ std::string current_text(const Current &current) {
     if (!current.changes()) return none;
     Hash numbers;
     for (const Vec2d sample : current.samples) numbers.number(sample.x).number(sample.y);
-    return counted(current.samples.size(), "samples", numbers) + ", one every " + to_text(current.step) +
-           " steps" + (current.repeats ? ", again and again" : "");
+    const std::string repeats = current.repeats ? ", again and again" : "";
+    return counted(current.samples.size(), "samples, one every " + to_text(current.step) + " steps" + repeats,
+                   numbers);
 }
 
 std::string damage_text(const std::optional<Damage> &damage) {
@@ -84,7 +86,7 @@ void add_course(const Spec &spec, Identity &identity) {
     for (std::size_t i = 0; i < spec.phases.size(); ++i) {
         const Phase &phase = spec.phases[i];
         add(name_in_phase(i, "begins"), "at step " + to_text(phase.at) + (phase.settles ? ", settles" : ""));
-        add_environment(name_in_phase(i, "environment "), conditions_of(phase), identity);
+        add_environment(name_in_phase(i, ""), conditions_of(phase), identity);
     }
     add("damage", damage_text(spec.damage));
 }

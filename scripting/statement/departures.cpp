@@ -13,16 +13,28 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view environment_key = "environment ";
+constexpr std::string_view environment_key = "environment ", phase_key = "phase ";
 
 std::string with_unit(const std::string &value, std::string_view unit) {
     return unit.empty() || unit == "1" ? value : value + " " + std::string(unit);
 }
 
+/// The number of a world by its name, or by that of a phase: "phase 1 gravity".
 const WorldNumber *number_called(std::string_view name) {
     for (const WorldNumber &number : world_numbers())
-        if (number.name == name) return &number;
+        if (number.name == name ||
+            (name.starts_with(phase_key) && name.ends_with(" " + std::string(number.name))))
+            return &number;
     return nullptr;
+}
+
+/// Whether an item is of the worlds of bodies, or of what happens to them there.
+bool concerns_worlds(const IdentityItem &item) {
+    return item.key.starts_with(environment_key) || item.key.starts_with(phase_key) || item.key == "damage";
+}
+
+std::string name_of(const IdentityItem &item) {
+    return item.key.starts_with(environment_key) ? item.key.substr(environment_key.size()) : item.key;
 }
 
 std::string range_text(double low, double high) { return to_fixed(low, 2) + " to " + to_fixed(high, 2); }
@@ -46,7 +58,7 @@ std::string part_text(const Spec &spec, std::string_view name, const std::string
 std::vector<IdentityItem> environment_items(const Spec &spec) {
     std::vector<IdentityItem> items;
     for (IdentityItem &item : identity_of(spec, 0).items)
-        if (item.key.starts_with(environment_key)) items.push_back(std::move(item));
+        if (concerns_worlds(item)) items.push_back(std::move(item));
     return items;
 }
 
@@ -110,9 +122,7 @@ void Comparison::add_environment(std::size_t index, std::vector<Departure> &foun
     const std::vector<IdentityItem> ours = environment_items(spec), theirs = environment_items(paper);
     const auto compare = [&](const IdentityItem &own, const IdentityItem &other) {
         if (own.value == other.value) return;
-        const std::string name = own.key.substr(environment_key.size());
-        const WorldNumber *number = number_called(name);
-        const std::string source(number ? source_of(*number, spec) : "");
+        const std::string name = name_of(own), source(source_of(name, spec));
         const Places &stated = experiment_.world_places[index];
         const auto place = stated.find(name);
         found.push_back({"environment",
@@ -187,7 +197,7 @@ void Comparison::add_parameters(std::size_t index, std::vector<Departure> &found
 std::string environment_text(const Spec &spec) {
     std::vector<std::string> parts;
     for (const IdentityItem &item : environment_items(spec)) {
-        const std::string name = item.key.substr(environment_key.size());
+        const std::string name = name_of(item);
         if (number_called(name) && item.value == "0") continue;
         parts.push_back(name + " " + part_text(spec, name, item.value));
     }
