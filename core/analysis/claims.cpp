@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/claims.h"
 
-#include "analysis/claim_test.h"
 #include "base/check.h"
-#include "base/text.h"
 #include "statistics/holm.h"
 
 #include <algorithm>
@@ -14,12 +12,6 @@ namespace planula {
 
 namespace {
 
-const ClaimTest &test_of(const Claim &claim) {
-    const ClaimTest *test = find_test(claim.test);
-    CHECK(test != nullptr, claim.test);
-    return *test;
-}
-
 const SettingRuns &runs_of(const std::string &name, std::span<const SettingRuns> settings) {
     const auto found = std::find_if(settings.begin(), settings.end(),
                                     [&](const SettingRuns &setting) { return setting.spec->name == name; });
@@ -27,45 +19,15 @@ const SettingRuns &runs_of(const std::string &name, std::span<const SettingRuns>
     return *found;
 }
 
-Case case_of(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings) {
-    Case c{claim, analysis, &runs_of(claim.a, settings), nullptr, 0};
-    if (test_of(claim).compares_two()) c.b = &runs_of(claim.b, settings);
-    c.generations = generations_of(claim, analysis, settings);
-    return c;
+/// The settings that a claim names.
+std::vector<const SettingRuns *> named_settings(const Claim &claim, const RunData &data) {
+    std::vector<const SettingRuns *> named{&runs_of(claim.a, data.settings)};
+    if (!claim.b.empty()) named.push_back(&runs_of(claim.b, data.settings));
+    return named;
 }
 
 int wanted_generations(const Claim &claim, const Analysis &analysis) {
     return claim.generation > 0 ? claim.generation : analysis.design.design.generations;
-}
-
-std::string runs_note(const SettingRuns &setting, int planned) {
-    return to_text(static_cast<int>(setting.runs.size())) + " of " + to_text(planned) + " runs of " +
-           setting.spec->name;
-}
-
-/// What the data lack for a verdict, in words; empty if nothing.
-std::string shortfall(const Case &c) {
-    const Parameters &design = c.analysis.design;
-    std::vector<std::string> parts;
-    const int wanted = wanted_generations(c.claim, c.analysis);
-    if (c.generations > 0 && c.generations < wanted)
-        parts.push_back("data end after " + to_text(c.generations) + " of " + to_text(wanted) +
-                        " generations");
-    for (const SettingRuns *setting : {c.a, c.b}) {
-        if (setting == nullptr) continue;
-        if (setting->runs.empty()) {
-            parts.push_back("no runs of " + setting->spec->name);
-            continue;
-        }
-        if (static_cast<int>(setting->runs.size()) < design.design.seeds)
-            parts.push_back(runs_note(*setting, design.design.seeds));
-        if (setting->spec->parameters.neat.population < design.neat.population)
-            parts.push_back("population " + to_text(setting->spec->parameters.neat.population) + " of " +
-                            to_text(design.neat.population) + " in " + setting->spec->name);
-    }
-    std::string note;
-    for (const std::string &part : parts) note += (note.empty() ? "" : "; ") + part;
-    return note;
 }
 
 /// By which p a verdict is decided; empty if by none.
@@ -79,17 +41,21 @@ std::string deciding(const ClaimRow &row, double significance) {
 
 } // namespace
 
-int generations_of(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings) {
-    int generations = std::min(wanted_generations(claim, analysis), runs_of(claim.a, settings).generations);
-    if (test_of(claim).compares_two())
-        generations = std::min(generations, runs_of(claim.b, settings).generations);
-    return generations;
-}
-
-ClaimRow judge_claim(const Claim &claim, const Analysis &analysis, std::span<const SettingRuns> settings) {
-    const Case c = case_of(claim, analysis, settings);
-    const Finding finding = c.generations > 0 ? test_of(claim).judge(c) : Finding{};
-    const std::string note = shortfall(c);
+ClaimRow judge_claim(const Claim &claim, const RunData &data) {
+    std::vector<const SettingRuns *> settings = named_settings(claim, data);
+    const int wanted = wanted_generations(claim, data.analysis);
+    int generations = wanted;
+    for (const SettingRuns *setting : settings) generations = std::min(generations, setting->generations);
+    Finding finding;
+    Asked asked;
+    if (generations > 0) finding = claim.judge({data, claim, generations}, asked);
+    if (asked.missing) finding = {};
+    for (const SettingRuns *other : asked.settings) {
+        if (std::count(settings.begin(), settings.end(), other) == 0) settings.push_back(other);
+        generations = std::min(generations, other->generations);
+    }
+    const std::string note =
+        shortfall(settings, data.analysis, std::max(wanted, asked.generations), generations);
     return {.id = claim.id,
             .statement = claim.statement,
             .section = claim.section,
@@ -97,10 +63,10 @@ ClaimRow judge_claim(const Claim &claim, const Analysis &analysis, std::span<con
             .test = claim.test,
             .setting_a = claim.a,
             .setting_b = claim.b,
-            .generation = wanted_generations(claim, analysis),
-            .at_generation = c.generations,
-            .runs_a = static_cast<int>(c.a->runs.size()),
-            .runs_b = c.b == nullptr ? 0 : static_cast<int>(c.b->runs.size()),
+            .generation = wanted,
+            .at_generation = generations,
+            .runs_a = static_cast<int>(settings[0]->runs.size()),
+            .runs_b = claim.b.empty() ? 0 : static_cast<int>(settings[1]->runs.size()),
             .effect_name = finding.effect_name,
             .effect = finding.effect,
             .low = finding.low,

@@ -2,6 +2,7 @@
 #include "analysis/history.h"
 
 #include "base/check.h"
+#include "base/vec2.h"
 #include "experiment/sample.h"
 #include "statistics/entropy.h"
 
@@ -126,19 +127,6 @@ GenerationRow next_generation(TableReader<GenerationRow> &reader, int number, in
     return row;
 }
 
-/// What heredity.csv says of a single run.
-HeredityRow heredity_of(const GenerationRow &row) {
-    return {.generation = row.generation,
-            .runs = 1,
-            .heredity_fitness = row.heredity_fitness,
-            .heredity_cells = row.heredity_cells,
-            .kept_fitness = row.kept_fitness,
-            .near_mother = row.near_mother,
-            .cells_change = row.cells_change,
-            .near_best = row.near_best,
-            .cyclic = row.cyclic};
-}
-
 /// How the fitness of each of the first generations spreads over equal classes from 0 to its highest.
 std::vector<std::vector<double>> read_fitness_shares(const RecordedRun &run, int generations, int classes) {
     std::vector<std::vector<double>> shares(static_cast<std::size_t>(generations),
@@ -177,33 +165,26 @@ const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int
     return *(later - 1);
 }
 
-RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes,
+RunHistory read_history(const RecordedRun &run, int generations, int fitness_classes,
                         double direction_distance) {
-    CHECK(!marks.empty() && marks.front() >= 1 && marks.back() <= run.generations, run.seed);
+    CHECK(generations >= 1 && generations <= run.generations, generations, run.seed);
     CHECK(fitness_classes >= 1 && 100 % fitness_classes == 0, fitness_classes);
     const std::vector<ChampionRow> champions = read_champions(run);
     RunHistory history;
     history.seed = run.seed;
     Tally tally(run.population, direction_distance);
-    TableReader<GenerationRow> generations(run.folder);
+    TableReader<GenerationRow> rows(run.folder);
     ByGeneration<SizeRow> sizes(run);
-    for (int number = 0; number < marks.back(); ++number) {
-        const GenerationRow row = next_generation(generations, number, run.population);
-        tally.add(row);
+    for (int number = 0; number < generations; ++number) {
+        history.generations.push_back(next_generation(rows, number, run.population));
+        tally.add(history.generations.back());
         sizes.each(number, [&](const SizeRow &size) { tally.add(size); });
-        history.best.push_back(row.best_fitness);
-        history.best_moved.push_back({row.best_x, row.best_y});
-        history.shape_diversity.push_back(row.shape_diversity);
-        history.heredity.push_back(heredity_of(row));
-        if (number == 0) history.first = row;
-        history.last = row;
-        if (std::binary_search(marks.begin(), marks.end(), number + 1))
-            history.after[number + 1] = tally.facts(champion_after(champions, number + 1));
+        history.after[number + 1] = tally.facts(champion_after(champions, number + 1));
     }
-    const Headings headings(run, marks.back(), direction_distance);
+    const Headings headings(run, generations, direction_distance);
     for (auto &[generation, facts] : history.after)
         facts.direction_resultant = headings.resultant(generation);
-    history.fitness_shares = read_fitness_shares(run, marks.back(), fitness_classes);
+    history.fitness_shares = read_fitness_shares(run, generations, fitness_classes);
     return history;
 }
 

@@ -5,13 +5,11 @@
 #pragma once
 
 #include "base/text.h"
-#include "base/vec2.h"
 #include "record/run_reader.h"
 #include "tables/csv.h"
 
 #include <cstdint>
 #include <map>
-#include <span>
 #include <vector>
 
 namespace planula {
@@ -32,12 +30,8 @@ struct RunFacts {
 /// A run as it was after some generations, which may be fewer than it has.
 struct RunHistory {
     std::int64_t seed = 0;
-    std::vector<double> best;            // fitness of each generation's best
-    std::vector<Vec2d> best_moved;       // and its displacement from rest to end
-    std::vector<double> shape_diversity; // of each generation
-    std::vector<HeredityRow> heredity;   // of each generation, in this run alone
-    GenerationRow first, last;
-    std::map<int, RunFacts> after; // by number of generations
+    std::vector<GenerationRow> generations; // by their number
+    std::map<int, RunFacts> after;          // by number of generations: 1 … all of them
     // Of each generation, by classes of fitness over its highest: shares of the population.
     std::vector<std::vector<double>> fitness_shares;
 };
@@ -49,12 +43,11 @@ std::vector<ChampionRow> read_champions(const RecordedRun &run);
 /// The champion after a number of generations.
 const ChampionRow &champion_after(const std::vector<ChampionRow> &champions, int generations);
 
-/// Reads a run up to the last of the marks, which ascend from at least 1 to at most the run's generations.
-/// `after` has an entry for each mark. `fitness_classes` divides 100. Who ends nearer than `direction_distance`, in
-/// cells, to where it rested has no direction. Directions are those of the individuals in the sample of a run that ends
-/// at the mark (experiment/sample.h), however the run is recorded. Throws InputError with file and line if the tables
-/// are not those of a run.
-RunHistory read_history(const RecordedRun &run, std::span<const int> marks, int fitness_classes,
+/// Reads the first generations of a run, at least 1 and at most all that it has. `fitness_classes` divides 100. Who ends
+/// nearer than `direction_distance`, in cells, to where it rested has no direction. Directions after g generations are
+/// those of the individuals in the sample of a run that ends there (experiment/sample.h), however the run is recorded.
+/// Throws InputError with file and line if the tables are not those of a run.
+RunHistory read_history(const RecordedRun &run, int generations, int fitness_classes,
                         double direction_distance);
 
 /// Calls visit(row) for each recorded individual of the first generations, in order. Throws InputError with file and

@@ -12,10 +12,10 @@
 #include "experiment/world_numbers.h"
 #include "record/chain.h"
 #include "storage/output.h"
+#include "tables/csv.h"
 #include "tables/ledger.h"
 
 #include <algorithm>
-#include <set>
 
 namespace planula {
 
@@ -24,35 +24,22 @@ namespace {
 /// A run is read through a buffer of some 50 MB, which bounds the number of threads.
 int reading_threads() { return std::min(hardware_threads(), 8); }
 
-/// The numbers of generations after which a setting's facts are wanted: where its claims look, and the end.
-std::vector<int> marks_of(const SettingRuns &setting, const Analysis &analysis,
-                          std::span<const SettingRuns> settings) {
-    std::set<int> marks{setting.generations};
-    for (const Claim &claim : analysis.claims)
-        if (claim.a == setting.spec->name || claim.b == setting.spec->name)
-            marks.insert(generations_of(claim, analysis, settings));
-    marks.erase(0);
-    return {marks.begin(), marks.end()};
-}
-
 /// Checks and reads all runs, in parallel.
 void read_histories(const Analysis &analysis, std::vector<SettingRuns> &settings) {
     struct Task {
         SettingRuns *setting;
         std::size_t run;
-        std::vector<int> marks;
     };
     std::vector<Task> tasks;
     for (SettingRuns &setting : settings) {
         setting.histories.resize(setting.runs.size());
-        const std::vector<int> marks = marks_of(setting, analysis, settings);
-        for (std::size_t run = 0; run < setting.runs.size(); ++run) tasks.push_back({&setting, run, marks});
+        for (std::size_t run = 0; run < setting.runs.size(); ++run) tasks.push_back({&setting, run});
     }
     parallel_for(static_cast<int>(tasks.size()), reading_threads(), [&](int i) {
-        const auto &[setting, run, marks] = tasks[i];
+        const auto &[setting, run] = tasks[i];
         check_files(setting->runs[run]);
-        setting->histories[run] =
-            read_history(setting->runs[run], marks, analysis.fitness_classes, analysis.direction_distance);
+        setting->histories[run] = read_history(setting->runs[run], setting->generations,
+                                               analysis.fitness_classes, analysis.direction_distance);
     });
 }
 
@@ -124,13 +111,35 @@ void write_exploration(const Analysis &analysis, std::span<const SettingRuns *co
     write_each<ArchivePointRow>(out, chosen, archive_point_rows);
 }
 
-void write_claims(const Analysis &analysis, std::span<const SettingRuns> settings,
-                  const std::filesystem::path &out) {
+void write_claims(const RunData &data, const std::filesystem::path &out) {
+    const Analysis &analysis = data.analysis;
     std::vector<ClaimRow> rows(analysis.claims.size());
     parallel_for(static_cast<int>(rows.size()), reading_threads(),
-                 [&](int i) { rows[i] = judge_claim(analysis.claims[i], analysis, settings); });
+                 [&](int i) { rows[i] = judge_claim(analysis.claims[i], data); });
     correct_claims(rows, analysis.significance);
     write_table<ClaimRow>(out, rows);
+}
+
+/// Writes the tables of the experiment's own, and adds the hash of each to the manifest. Which one lacks data is told.
+void write_own_tables(const RunData &data, const RunChoice &runs, const std::filesystem::path &out,
+                      Manifest &manifest) {
+    for (const TableStatement &statement : data.analysis.tables) {
+        const std::string file = statement.name + ".csv";
+        Asked asked;
+        const OwnTable table = statement.make(data, asked);
+        remove_file(out / file);
+        if (asked.missing) {
+            int generations = asked.generations;
+            for (const SettingRuns *setting : asked.settings)
+                generations = std::min(generations, setting->generations);
+            runs.tell("left out: " + file + ": " +
+                      shortfall(asked.settings, data.analysis, asked.generations, generations));
+            continue;
+        }
+        std::string text = to_line(table.columns);
+        for (const auto &row : table.rows) text += line_of(row);
+        manifest.add(statement.name + "_sha256", write_file(out / file, text));
+    }
 }
 
 void write_dictionaries(std::span<const SettingRuns> settings, const std::filesystem::path &out) {
@@ -210,13 +219,17 @@ void reduce(const Analysis &analysis, std::span<const Spec> settings, const RunC
             explored.push_back(&setting);
     }
 
+    const RunData data = recorded_data(analysis, found);
+    Manifest manifest = data_manifest(analysis, found);
+
     // A manifest is there only if all tables were made together.
     remove_file(out / ManifestRow::file_name);
     write_settings(analysis, present, out);
     write_exploration(analysis, explored, out);
-    write_claims(analysis, found, out);
+    write_claims(data, out);
+    write_own_tables(data, runs, out, manifest);
     write_dictionaries(found, out);
-    data_manifest(analysis, found).write(out);
+    manifest.write(out);
 }
 
 } // namespace planula

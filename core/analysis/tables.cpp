@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <utility>
 
 namespace planula {
 
@@ -42,14 +43,14 @@ MaybeInterval interval_of_mean(std::span<const double> of_runs, const Analysis &
 /// The mean over runs of one value of each generation, with its bootstrap interval.
 template <class Row>
 std::vector<Row> mean_over_runs(const SettingRuns &setting, const Analysis &analysis, const std::string &what,
-                                std::vector<double> RunHistory::*values) {
+                                double GenerationRow::*value) {
     // One stream for all generations: each resample draws whole runs, so that the band is as smooth as they
     // are.
     std::vector<Row> rows;
     for (int generation = 0; generation < setting.generations; ++generation) {
         const std::vector<double> of_runs =
             from_runs(setting, [&](const RunHistory &history, const RunFacts &) {
-                return (history.*values)[static_cast<std::size_t>(generation)];
+                return history.generations[static_cast<std::size_t>(generation)].*value;
             });
         const MaybeInterval interval = interval_of_mean(of_runs, analysis, what + " " + setting.spec->name);
         rows.push_back(
@@ -58,14 +59,15 @@ std::vector<Row> mean_over_runs(const SettingRuns &setting, const Analysis &anal
     return rows;
 }
 
-OutcomeRow outcome_row(const SettingRuns &setting, GenerationRow RunHistory::*when) {
+OutcomeRow outcome_row(const SettingRuns &setting, int generation) {
     OutcomeRow row{.setting = setting.spec->name};
     const double individuals =
         static_cast<double>(setting.histories.size()) * setting.spec->parameters.neat.population;
-    row.generation = (setting.histories.front().*when).generation;
+    row.generation = generation;
     const auto share = [&](int GenerationRow::*outcome) {
         std::int64_t count = 0;
-        for (const RunHistory &history : setting.histories) count += history.*when.*outcome;
+        for (const RunHistory &history : setting.histories)
+            count += history.generations[static_cast<std::size_t>(generation)].*outcome;
         return static_cast<double>(count) / individuals;
     };
     row.viable = share(&GenerationRow::viable);
@@ -128,40 +130,42 @@ std::vector<RunRow> run_rows(const SettingRuns &setting) {
                 .with_fitness = facts.with_fitness,
                 .valid_share_last = facts.valid_share,
                 .fitness_spread_last = facts.fitness_spread,
-                .shape_diversity_first = history.shape_diversity.front(),
-                .shape_diversity_last = history.shape_diversity.back(),
+                .shape_diversity_first = history.generations.front().shape_diversity,
+                .shape_diversity_last = history.generations.back().shape_diversity,
                 .direction_resultant = facts.direction_resultant,
                 .side_switches = facts.side_switches};
     });
 }
 
 std::vector<CurveRow> curve_rows(const SettingRuns &setting, const Analysis &analysis) {
-    return mean_over_runs<CurveRow>(setting, analysis, "curve", &RunHistory::best);
+    return mean_over_runs<CurveRow>(setting, analysis, "curve", &GenerationRow::best_fitness);
 }
 
 std::vector<ShapeDiversityRow> shape_diversity_rows(const SettingRuns &setting, const Analysis &analysis) {
     return mean_over_runs<ShapeDiversityRow>(setting, analysis, "shape diversity",
-                                             &RunHistory::shape_diversity);
+                                             &GenerationRow::shape_diversity);
 }
 
 std::vector<HeredityRow> heredity_rows(const SettingRuns &setting) {
-    constexpr std::array measures{&HeredityRow::heredity_fitness,
-                                  &HeredityRow::heredity_cells,
-                                  &HeredityRow::kept_fitness,
-                                  &HeredityRow::near_mother,
-                                  &HeredityRow::cells_change,
-                                  &HeredityRow::near_best,
-                                  &HeredityRow::cyclic};
+    constexpr std::array measures{std::pair{&HeredityRow::heredity_fitness, &GenerationRow::heredity_fitness},
+                                  std::pair{&HeredityRow::heredity_cells, &GenerationRow::heredity_cells},
+                                  std::pair{&HeredityRow::kept_fitness, &GenerationRow::kept_fitness},
+                                  std::pair{&HeredityRow::near_mother, &GenerationRow::near_mother},
+                                  std::pair{&HeredityRow::cells_change, &GenerationRow::cells_change},
+                                  std::pair{&HeredityRow::cyclic, &GenerationRow::cyclic}};
     std::vector<HeredityRow> rows;
     for (int generation = 0; generation < setting.generations; ++generation) {
         HeredityRow row{.setting = setting.spec->name, .generation = generation, .runs = count_of(setting)};
-        for (Maybe HeredityRow::*const measure : measures) {
+        const auto median_of = [&](const auto &measure) -> Maybe {
             std::vector<double> known;
             for (const RunHistory &history : setting.histories)
-                if (const Maybe &value = history.heredity[static_cast<std::size_t>(generation)].*measure)
+                if (const Maybe value = measure(history.generations[static_cast<std::size_t>(generation)]))
                     known.push_back(*value);
-            if (!known.empty()) row.*measure = median(known);
-        }
+            return known.empty() ? std::nullopt : Maybe(median(known));
+        };
+        for (const auto &[column, measure] : measures)
+            row.*column = median_of([&](const GenerationRow &of_run) { return of_run.*measure; });
+        row.near_best = median_of([](const GenerationRow &of_run) { return Maybe(of_run.near_best); });
         rows.push_back(row);
     }
     return rows;
@@ -176,8 +180,8 @@ EntropyRow entropy_row(const SettingRuns &setting, const Analysis &analysis) {
 }
 
 std::vector<OutcomeRow> outcome_rows(const SettingRuns &setting) {
-    std::vector<OutcomeRow> rows{outcome_row(setting, &RunHistory::first)};
-    if (setting.generations > 1) rows.push_back(outcome_row(setting, &RunHistory::last));
+    std::vector<OutcomeRow> rows{outcome_row(setting, 0)};
+    if (setting.generations > 1) rows.push_back(outcome_row(setting, setting.generations - 1));
     return rows;
 }
 
@@ -229,9 +233,9 @@ std::vector<EndpointPathRow> endpoint_path_rows(const SettingRuns &setting, cons
     const RunHistory &history = setting.histories[chosen.run];
     std::vector<EndpointPathRow> rows;
     for (int generation = 0; generation < setting.generations; ++generation) {
-        const Vec2d moved = history.best_moved[generation];
-        rows.push_back({setting.spec->name, history.seed, chosen.role, generation, moved.x, moved.y,
-                        history.best[generation]});
+        const GenerationRow &row = history.generations[static_cast<std::size_t>(generation)];
+        rows.push_back({setting.spec->name, history.seed, chosen.role, generation, row.best_x, row.best_y,
+                        row.best_fitness});
     }
     return rows;
 }

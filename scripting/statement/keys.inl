@@ -122,21 +122,19 @@ KEY("fitness_classes", "whole number", "classes", "20", "Fig. 11", "classes of f
 KEY("direction_distance", "number", "cell", "1", "§3.4", "who moved less has no direction", "direction_distance = 1")
 KEY("endpoints", "list of texts", "", "all settings", "Fig. 8", "settings whose end points are tabled", "endpoints = { \"thick\" }")
 KEY("claims", "list of tables", "", "no claims", "§3", "statements that the runs reproduce or contradict", "")
+KEY("tables", "table of functions", "", "no tables", "0023", "tables of the experiment's own, name.csv each: name(runs, stats) returns a list of rows, {column = number or text}; `columns` in it names the columns in their order", "tables = { best = function(runs) return { { best = runs.thick[1].best_fitness[9] } } end }")
 TABLE_END
 
-TABLE(claim, "statistics.claims[]", "a statement about the runs, and the test that judges it")
-KEY("id", "text", "", "needed", "0015", "a short name, unique among the claims", "id = \"S1\"")
+TABLE(claim, "statistics.claims[]", "a statement about the runs, and the function that judges it")
+KEY("id", "text", "", "needed", "0015", "a short name, unique among the claims; it names the random streams of the claim's bootstraps", "id = \"S1\"")
 KEY("statement", "text", "", "needed", "0015", "what is claimed", "")
-KEY("section", "text", "", "needed", "0015", "where it is claimed", "section = \"§3.2\"")
-KEY("paper", "text", "", "needed", "0015", "the evidence given there", "paper = \"p = 0.01\"")
-KEY("test", "text", "", "needed", "0015", "the test that judges it", "test = \"best_at_generation\"")
+KEY("judge", "function", "", "needed", "0023", "judge(runs, stats, claim): {verdict = \"reproduced\", \"contradicted\" or \"inconclusive\"}, and, as far as there are such, effect_name, effect, low, high, p, method, p_equivalence, note; claim holds id, a, b, generation, and at_generation, which is as much of `generation` as the runs of a and b have", "judge = function(runs, stats, claim) return { verdict = \"inconclusive\" } end")
 KEY("a", "text", "", "needed", "0015", "a setting", "a = \"thick\"")
 KEY("b", "text", "", "no other setting", "0015", "the setting that it is compared with", "b = \"thin\"")
 KEY("generation", "whole number", "generations", "the last", "0015", "counted from 1", "generation = 400")
-KEY("expect", "text", "", "by the test", "0015", "\"greater\", \"less\" or \"no_difference\"", "expect = \"greater\"")
-KEY("level", "number", "1", "0", "0015", "of the tests mean_ahead and cyclic: the share that decides", "level = 0.9")
-KEY("count", "whole number", "runs", "0", "0015", "of the tests top_runs, cyclic and elongated: how many runs", "count = 3")
-KEY("bound", "number", "1", "0", "0015", "the largest difference that still counts as none", "bound = 0.21")
+KEY("section", "text", "", "nothing", "0015", "where it is claimed", "section = \"§3.2\"")
+KEY("paper", "text", "", "nothing", "0015", "the evidence given there", "paper = \"p = 0.01\"")
+KEY("test", "text", "", "nothing", "0015", "the test that judges it, in a word for the table", "test = \"best_at_generation\"")
 KEY("calibrated", "true or false", "", "false", "0018", "the statement was used to choose the model, so that its verdict is no evidence", "")
 TABLE_END
 

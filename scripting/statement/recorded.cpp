@@ -42,7 +42,7 @@ SettingForRun recorded_setting(const RecordedRun &run) {
     Overrides overrides;
     for (const OverrideRow &row : read_table<OverrideRow>(scripts))
         overrides.emplace_back(row.parameter, value_of(parameter_row(row.parameter), row.value));
-    const Experiment experiment = load_experiment(scripts / script_file, scripts, overrides);
+    const Experiment experiment = load_experiment(scripts / script_file, scripts, overrides, Part::settings);
     const Spec *setting = experiment.find(run.setting);
     if (!setting)
         throw InputError((scripts / script_file).string() + ": there is no setting '" + run.setting + "'");

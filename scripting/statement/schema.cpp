@@ -33,8 +33,8 @@ std::shared_ptr<JudgingFunctions> functions_of(const std::shared_ptr<Sources> &s
 
 class Schema {
   public:
-    Schema(std::shared_ptr<Sources> sources, const Overrides &overrides)
-        : lua_(sources, sources->script()), overrides_(overrides), problems_(*sources) {
+    Schema(std::shared_ptr<Sources> sources, const Overrides &overrides, Part part)
+        : lua_(sources, sources->script()), overrides_(overrides), part_(part), problems_(*sources) {
         experiment_.sources = std::move(sources);
         experiment_.overrides = overrides;
     }
@@ -57,7 +57,7 @@ class Schema {
             read_setting(reader, nullptr);
         if (!several && experiment_.title.empty() && !experiment_.settings.empty())
             experiment_.title = experiment_.settings.front().title;
-        read_statistics_of(reader);
+        if (part_ == Part::all) read_statistics_of(reader);
         if (const Value *plan = reader.field("sensitivity", Value::Kind::table, false))
             experiment_.sensitivity = read_sensitivity(*plan, reader.at("sensitivity"), problems_);
 
@@ -73,6 +73,7 @@ class Schema {
                     problems_.add(error.what());
                 }
             }
+        if (part_ == Part::all) try_out(statistics_, experiment_.analysis, experiment_.settings, problems_);
         problems_.raise();
         return std::move(experiment_);
     }
@@ -270,27 +271,31 @@ class Schema {
         const Value *stated = reader.table().find("statistics");
         if (!stated || !stated->is(Value::Kind::text)) {
             if (reader.field("statistics", Value::Kind::table, true))
-                read_statistics_at(*stated, reader.at("statistics"));
+                read_statistics_at(*stated, reader.at("statistics"), "");
             return;
         }
         // A module of statistics runs in a state of its own, so that it can decide no result of a run.
         check_at(reader.at("statistics"), problems_, [&] {
             const Source &source = experiment_.sources->module(stated->text);
             const LuaState statistics(experiment_.sources, source);
-            read_statistics_at(statistics.result(), problems_.root(statistics.result(), source));
+            read_statistics_at(statistics.result(), problems_.root(statistics.result(), source),
+                               stated->text);
         });
     }
 
-    void read_statistics_at(const Value &table, const Place &place) {
-        experiment_.analysis =
-            read_statistics(table, place, experiment_.name, design_, experiment_.settings, problems_);
+    void read_statistics_at(const Value &table, const Place &place, const std::string &module) {
+        statistics_ = {experiment_.sources, module};
+        experiment_.analysis = read_statistics(table, place, statistics_, experiment_.name, design_,
+                                               experiment_.settings, problems_);
     }
 
     LuaState lua_;
     const Overrides &overrides_;
+    const Part part_;
     Problems problems_;
     Experiment experiment_;
     std::vector<std::shared_ptr<JudgingFunctions>> start_functions_;
+    StatisticSource statistics_;
     Recording record_ = Recording::full; // of settings that state none
     Parameters design_;                  // of the first setting, as the script states them
 };
@@ -313,12 +318,12 @@ SettingForRun setting_for_run(const Experiment &experiment, std::size_t index) {
 }
 
 Experiment load_experiment(const std::filesystem::path &script, const std::filesystem::path &library,
-                           const Overrides &overrides) {
-    return load_experiment(std::make_shared<Sources>(script, library), overrides);
+                           const Overrides &overrides, Part part) {
+    return load_experiment(std::make_shared<Sources>(script, library), overrides, part);
 }
 
-Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides) {
-    return Schema(std::move(sources), overrides).read();
+Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides, Part part) {
+    return Schema(std::move(sources), overrides, part).read();
 }
 
 } // namespace planula

@@ -53,11 +53,15 @@ struct Experiment {
     const Spec *find(std::string_view setting) const;
 };
 
+/// What of an experiment is read: of a recorded run the settings alone, because no statistic decides a result.
+enum class Part { all, settings };
+
 /// Loads and checks an experiment file, and tries out its functions. Throws InputError with all errors, each on a line
 /// that starts with its place, name:line.
 Experiment load_experiment(const std::filesystem::path &script, const std::filesystem::path &library,
-                           const Overrides &overrides = {});
-Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides = {});
+                           const Overrides &overrides = {}, Part part = Part::all);
+Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides = {},
+                           Part part = Part::all);
 
 /// A setting with judging functions of its own, so that it can run at the same time as others.
 struct SettingForRun {

@@ -30,24 +30,21 @@ Claim read_claim(const Value &table, const Place &place, Problems &problems) {
     Claim claim;
     claim.id = reader.text("id", true);
     claim.statement = reader.text("statement", true);
-    claim.section = reader.text("section", true);
-    claim.paper = reader.text("paper", true);
-    claim.test = reader.text("test", true);
+    claim.section = reader.text("section");
+    claim.paper = reader.text("paper");
+    claim.test = reader.text("test");
     claim.a = reader.text("a", true);
     claim.b = reader.text("b");
     claim.generation = reader.whole("generation");
-    claim.expect = reader.text("expect");
-    claim.level = reader.number("level").value_or(0);
-    claim.count = reader.whole("count");
-    claim.bound = reader.number("bound").value_or(0);
     const Value *calibrated = reader.field("calibrated", Value::Kind::boolean, false);
     claim.calibrated = calibrated != nullptr && calibrated->boolean;
+    reader.field("judge", Value::Kind::function, true);
     return claim;
 }
 
 // Each claim is checked by itself, so that its line is known, and then all together.
-void read_claims(const Value &list, const Place &place, std::span<const Spec> settings, Analysis &analysis,
-                 Problems &problems) {
+void read_claims(const Value &list, const Place &place, const StatisticSource &source,
+                 std::span<const Spec> settings, Analysis &analysis, Problems &problems) {
     const Reader reader(list, place, {}, problems, true);
     std::vector<Claim> claims;
     std::set<std::string> ids;
@@ -60,6 +57,7 @@ void read_claims(const Value &list, const Place &place, std::span<const Spec> se
         else
             problems.add(here, here.words + " must be a table");
         if (problems.count() > problems_before) continue;
+        claims.back().judge = judge_of(source, i);
         if (!ids.insert(claims.back().id).second)
             problems.add(here, "two claims are called '" + claims.back().id + "'");
         analysis.claims = {claims.back()};
@@ -68,10 +66,25 @@ void read_claims(const Value &list, const Place &place, std::span<const Spec> se
     analysis.claims = std::move(claims);
 }
 
+void read_tables(const Value &tables, const Place &place, const StatisticSource &source,
+                 std::span<const Spec> settings, Analysis &analysis, Problems &problems) {
+    if (!tables.list.empty()) problems.add(place, place.words + " are stated by name: name = function");
+    for (const auto &[name, value] : tables.fields) {
+        const Place here = place.at(name, &value);
+        if (!value.is(Value::Kind::function)) {
+            problems.add(here, here.words + " must be a function, not " + name_of(value.kind));
+            continue;
+        }
+        analysis.tables.push_back({name, table_of(source, name)});
+        check_at(here, problems, [&] { check_analysis(analysis, settings); });
+    }
+}
+
 } // namespace
 
-Analysis read_statistics(const Value &table, const Place &place, const std::string &experiment,
-                         const Parameters &design, std::span<const Spec> settings, Problems &problems) {
+Analysis read_statistics(const Value &table, const Place &place, const StatisticSource &source,
+                         const std::string &experiment, const Parameters &design,
+                         std::span<const Spec> settings, Problems &problems) {
     const std::size_t problems_before = problems.count();
     Reader reader(table, place, keys_of("statistics"), problems);
     Analysis analysis;
@@ -93,7 +106,10 @@ Analysis read_statistics(const Value &table, const Place &place, const std::stri
         check_at(place, problems, [&] { check_analysis(analysis, settings); });
     const Value *claims = reader.field("claims", Value::Kind::table, false);
     if (claims && problems.count() == problems_before)
-        read_claims(*claims, reader.at("claims"), settings, analysis, problems);
+        read_claims(*claims, reader.at("claims"), source, settings, analysis, problems);
+    const Value *tables = reader.field("tables", Value::Kind::table, false);
+    if (tables && problems.count() == problems_before)
+        read_tables(*tables, reader.at("tables"), source, settings, analysis, problems);
     if (problems.count() == problems_before)
         check_at(place, problems, [&] { check_analysis(analysis, settings); });
     return analysis;

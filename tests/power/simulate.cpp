@@ -6,9 +6,11 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "core/analysis/fake_setting.h"
+#include "statement/statistic_state.h"
 #include "statistics/bootstrap.h"
 #include "statistics/effect_size.h"
 #include "statistics/summary.h"
+#include "support/scripts.h"
 
 #include <cmath>
 #include <functional>
@@ -45,16 +47,22 @@ using Draw = std::function<void(Stream &, std::vector<SettingRuns> &)>;
 
 struct Judged {
     std::string test, truth;
-    Claim claim;
+    std::string claim; // as a script states it, with the functions of experiments/paper/tests.lua
     Draw draw;
     int generations = 1;
 };
 
-Claim claim_of(const std::string &test, const std::string &expect, int count, double level, double bound) {
-    Claim claim = fake_claim(test, expect);
-    claim.count = count, claim.level = level, claim.bound = bound;
-    if (test == "cyclic") claim.b = "";
-    return claim;
+/// A claim that is judged by a function of paper.tests with these options.
+std::string claim_of(const std::string &test, const std::string &options) {
+    const std::string settings = test == "cyclic" ? "a = 'ns'" : "a = 'ns', b = 'neat'";
+    return "tests." + test + " { id = 'S', statement = 's', " + settings + ", " + options + " }";
+}
+
+/// The claims of all cases, in their order.
+StatisticSource statistics_of(const std::vector<Judged> &all) {
+    std::string text = "local tests = require 'paper.tests'\nreturn { statistics = { claims = {\n";
+    for (const Judged &judged : all) text += judged.claim + ",\n";
+    return {test::script(text + "} } }"), ""};
 }
 
 Analysis analysis_of(const Judged &judged) {
@@ -71,23 +79,34 @@ struct Count {
     bool reproduced, contradicted, corrected;
 };
 
-Count judge(const Judged &judged, int number, int repetition) {
+Count judge(StatisticState &statistics, const Judged &judged, const Analysis &analysis, int number,
+            int repetition) {
     const Spec ns = fake_spec("ns", judged.generations, 1), neat = fake_spec("neat", judged.generations, 1);
     const std::vector<double> zeros(runs_each);
     std::vector<SettingRuns> settings{fake_setting(ns, zeros), fake_setting(neat, zeros)};
     Stream stream(static_cast<std::uint64_t>(number), static_cast<std::uint32_t>(repetition), 0,
                   Purpose::sampling);
     judged.draw(stream, settings);
-    const Analysis analysis = analysis_of(judged);
-    const ClaimRow row = judge_claim(judged.claim, analysis, settings);
+    Claim claim{.id = "S", .a = "ns", .b = judged.claim.starts_with("tests.cyclic") ? "" : "neat"};
+    claim.judge = [&](const ClaimCase &of, Asked &asked) {
+        return statistics.judge(static_cast<std::size_t>(number), of, asked);
+    };
+    const ClaimRow row = judge_claim(claim, recorded_data(analysis, settings));
     const bool reproduced = row.verdict == "reproduced", contradicted = row.verdict == "contradicted";
     const Maybe p = reproduced && row.p_equivalence.has_value() ? row.p_equivalence : row.p;
     return {reproduced, contradicted, family * *p < analysis.significance};
 }
 
-Outcome simulate(const Judged &judged, int number, int repetitions) {
+/// Each thread has the claims' functions in a Lua state of its own.
+Outcome simulate(const StatisticSource &source, const Judged &judged, int number, int repetitions) {
     std::vector<Count> counts(static_cast<std::size_t>(repetitions));
-    parallel_for(repetitions, hardware_threads(), [&](int i) { counts[i] = judge(judged, number, i); });
+    const Analysis analysis = analysis_of(judged);
+    const int threads = hardware_threads();
+    parallel_for(threads, threads, [&](int first) {
+        StatisticState statistics(source, analysis, Allowance::reduce);
+        for (int i = first; i < repetitions; i += threads)
+            counts[i] = judge(statistics, judged, analysis, number, i);
+    });
     Outcome outcome{
         .test = judged.test, .truth = judged.truth, .runs = runs_each, .repetitions = repetitions};
     const double one = 1.0 / repetitions;
@@ -103,7 +122,7 @@ Outcome simulate(const Judged &judged, int number, int repetitions) {
 
 void set_values(SettingRuns &setting, const std::vector<double> &values) {
     for (std::size_t run = 0; run < values.size(); ++run) {
-        setting.histories[run].best.assign(setting.histories[run].best.size(), values[run]);
+        for (GenerationRow &row : setting.histories[run].generations) row.best_fitness = values[run];
         for (auto &[after, facts] : setting.histories[run].after) facts.champion.fitness = values[run];
     }
 }
@@ -161,8 +180,8 @@ std::string truth_of(double effect, const std::string &more = "") {
 
 void add_rank_tests(std::vector<Judged> &all) {
     const std::string difference = "rank-sum: a difference", none = "equivalence: no difference";
-    const Claim greater = claim_of("best_at_generation", "greater", 0, 0, 0);
-    const Claim same = claim_of("best_at_generation", "no_difference", 0, 0, 0.21);
+    const std::string greater = claim_of("best_at_generation", "expect = 'greater'");
+    const std::string same = claim_of("best_at_generation", "expect = 'no_difference', bound = 0.21");
     const auto whole = [](double value) { return std::floor(value); };
     for (const double effect : {0.5, 0.64, 0.71, 0.8})
         all.push_back({difference, truth_of(effect), greater, draw_values(shifted(effect))});
@@ -197,10 +216,10 @@ Draw draw_curves(double effect) {
             for (RunHistory &history : setting->histories) {
                 const double worth = 10 + normal(stream) + (setting == &settings[0] ? shift : 0);
                 double lasting = 0;
-                for (std::size_t g = 0; g < history.best.size(); ++g) {
+                for (GenerationRow &row : history.generations) {
                     lasting = 0.9 * lasting + 0.3 * normal(stream);
-                    const double time = static_cast<double>(g + 1);
-                    history.best[g] = worth * time / (time + 10) + lasting;
+                    const double time = row.generation + 1.0;
+                    row.best_fitness = worth * time / (time + 10) + lasting;
                 }
             }
     };
@@ -210,8 +229,8 @@ void add_curve_tests(std::vector<Judged> &all) {
     for (const double level : {1.0, 0.5})
         for (const double effect : {0.5, 0.64, 0.71, 0.8})
             all.push_back({level == 1 ? "mean ahead in every generation" : "mean ahead in most generations",
-                           truth_of(effect), claim_of("mean_ahead", "", 0, level, 0), draw_curves(effect),
-                           curve_generations});
+                           truth_of(effect), claim_of("mean_ahead", "level = " + to_text(level)),
+                           draw_curves(effect), curve_generations});
 }
 
 // ---- Counts ----
@@ -220,7 +239,7 @@ void add_count_tests(std::vector<Judged> &all) {
     for (const int count : {5, 3})
         for (const double effect : {0.5, 0.71, 0.8, 0.9})
             all.push_back({"the best " + to_text(count) + " runs", truth_of(effect),
-                           claim_of("top_runs", "", count, 0, 0), draw_values(shifted(effect))});
+                           claim_of("top_runs", "count = " + to_text(count)), draw_values(shifted(effect))});
     for (const double effect : {0.5, 0.8}) {
         const auto lengthen = [draw = draw_values(shifted(effect))](Stream &stream,
                                                                     std::vector<SettingRuns> &settings) {
@@ -229,7 +248,7 @@ void add_count_tests(std::vector<Judged> &all) {
                 for (RunHistory &history : setting.histories)
                     history.after.at(1).champion.elongation = 3 + normal(stream);
         };
-        all.push_back({"the best 2 runs and elongated", truth_of(effect), claim_of("elongated", "", 2, 0, 0),
+        all.push_back({"the best 2 runs and elongated", truth_of(effect), claim_of("elongated", "count = 2"),
                        lengthen});
     }
     for (const int count : {0, 1})
@@ -239,7 +258,7 @@ void add_count_tests(std::vector<Judged> &all) {
                     if (stream.chance(share)) history.after.at(1).champion.late_share = 0;
             };
             all.push_back({"lasting gaits but " + to_text(count), "share without " + to_text(share),
-                           claim_of("cyclic", "", count, 0.1, 0.25), stop});
+                           claim_of("cyclic", "level = 0.1, bound = 0.25, count = " + to_text(count)), stop});
         }
 }
 
@@ -263,8 +282,9 @@ std::vector<Outcome> outcomes(int repetitions) {
     std::vector<Judged> all;
     add_rank_tests(all), add_curve_tests(all), add_count_tests(all);
     std::vector<Outcome> result;
+    const StatisticSource source = statistics_of(all);
     for (std::size_t i = 0; i < all.size(); ++i)
-        result.push_back(simulate(all[i], static_cast<int>(i), repetitions));
+        result.push_back(simulate(source, all[i], static_cast<int>(i), repetitions));
     return result;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 SettingRuns read_setting(const std::filesystem::path &folder, const Spec &spec) {
     SettingRuns setting = survey(std::span(&spec, 1), runs_in(folder)).front();
-    const std::vector<int> marks{setting.generations};
-    for (const RecordedRun &run : setting.runs) setting.histories.push_back(read_history(run, marks, 4, 1));
+    for (const RecordedRun &run : setting.runs)
+        setting.histories.push_back(read_history(run, setting.generations, 4, 1));
     return setting;
 }
 

@@ -20,8 +20,8 @@ FakeLife life(int generation, int slot) {
 /// A setting read from the runs below a folder.
 SettingRuns read_setting(const std::filesystem::path &folder, const Spec &spec) {
     SettingRuns setting = survey(std::span(&spec, 1), runs_in(folder)).front();
-    const std::vector<int> marks{setting.generations};
-    for (const RecordedRun &run : setting.runs) setting.histories.push_back(read_history(run, marks, 4, 1));
+    for (const RecordedRun &run : setting.runs)
+        setting.histories.push_back(read_history(run, setting.generations, 4, 1));
     return setting;
 }
 
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(too_few_runs_have_no_interval) {
 BOOST_AUTO_TEST_CASE(shape_diversity_has_a_curve_and_both_its_ends_in_every_run) {
     const Spec spec = fake_spec("ns", 3, 5);
     SettingRuns setting = fake_setting(spec, {1, 2, 6});
-    setting.histories[0].shape_diversity = {0.25, 0.5, 0.75};
+    for (int i = 0; i < 3; ++i) setting.histories[0].generations[i].shape_diversity = 0.25 * (i + 1);
     const auto rows = shape_diversity_rows(setting, fake_analysis());
     BOOST_REQUIRE(rows.size() == 3u);
     BOOST_TEST(rows[1].generation == 1);
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(shape_diversity_has_a_curve_and_both_its_ends_in_every_run)
 BOOST_AUTO_TEST_CASE(heredity_is_the_median_of_the_runs_that_have_a_value) {
     const Spec spec = fake_spec("ns", 3, 5);
     SettingRuns setting = fake_setting(spec, {1, 2, 6});
-    setting.histories[2].heredity[1].heredity_fitness.reset();
+    setting.histories[2].generations[1].heredity_fitness.reset();
     const auto rows = heredity_rows(setting);
     BOOST_REQUIRE(rows.size() == 3u);
     BOOST_TEST(rows[1].setting == "ns");

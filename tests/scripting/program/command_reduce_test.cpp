@@ -195,3 +195,30 @@ BOOST_AUTO_TEST_CASE(witness_has_a_row_for_each_run_and_one_for_their_setting) {
         contains(other.err, "another run: parameter spring_stiffness: recorded with 400, asked for with 50"),
         other.err);
 }
+
+BOOST_AUTO_TEST_CASE(claims_and_tables_of_the_script_are_made_of_the_runs) {
+    const std::string statistics =
+        "statistics = planula.fill({ claims = { { id = 'H1', statement = 'it moves', a = 'small', generation "
+        "= 2,\n"
+        "  judge = function(runs, stats, claim)\n"
+        "    local best = runs[claim.a].best_fitness[claim.at_generation]\n"
+        "    return { verdict = 'reproduced', effect_name = 'mean', effect = stats.mean(best) }\n  end } },\n"
+        "tables = { best = function(runs)\n"
+        "  local rows = {}\n"
+        "  for _, run in ipairs(runs.small) do rows[#rows + 1] = { seed = run.seed, best = "
+        "run.best_fitness[2],\n"
+        "    links = run.champion.links[2], points = #run.endpoints } end\n"
+        "  return rows\nend } }, require 'paper.summary'), search =";
+    const Workplace place(replaced(small, "search =", statistics));
+    BOOST_REQUIRE(place.run_says({"--seeds", "1:2"}).code == 0);
+    const fs::path out = place.path / "data";
+    const Said said = tables_of(place, "reduce", out.string(), {"--generations", "2"});
+    BOOST_TEST(said.code == 0, said.err);
+    const auto rows = read_table<GenerationRow>(place.run(1));
+    const std::string table = content(out / "best.csv");
+    BOOST_TEST(table.starts_with("best,links,points,seed\n"), table);
+    BOOST_TEST(contains(table, "\n" + to_field(rows.at(1).best_fitness) + ","), table);
+    BOOST_TEST(lines(table) == 3);
+    BOOST_TEST(contains(content(out / "claims.csv"), "H1,it moves,,,,small,"));
+    BOOST_TEST(contains(content(out / "manifest.csv"), "best_sha256,"));
+}

@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(changes_without_effect_on_results_keep_the_identity) {
              {"the order of keys", "gravity = 5, ground = 'flat',", "ground = 'flat', gravity = 5,"},
              {"statistics", "resamples = 100, significance = 0.05", "resamples = 200, significance = 0.01"},
              {"a claim", "claims = {}",
-              "claims = { { id = 'S1', statement = 's', section = '1', paper = 'p', test = 'cyclic',\n"
-              "a = 'small', level = 0.1, count = 1, bound = 0.25 } }"},
+              "claims = { { id = 'S1', statement = 's', a = 'small',\n"
+              "judge = function() return { verdict = 'inconclusive' } end } }"},
              {"a value that no function reads", "local half", "local unread = 7 local half"},
              {"a value of a module that no function reads", "unread = 3", "unread = 4", {}, "rules.lua"},
              {"a standard value that is stated", "population = 6", "population = 6, link_limit = 1.5"},

@@ -228,12 +228,11 @@ BOOST_AUTO_TEST_CASE(every_text_must_be_one_line) {
                                std::string(text) + "' } } }"),
                        "test.lua:4: settings[1].title must be one line"),
                    text);
-        BOOST_TEST(test::contains(
-            refused("return paper.design { name = 'x', settings = { { name = 'a' } },\n"
-                    "statistics = planula.fill({ claims = { { id = 'C', section = '-', paper = '-', test = "
-                    "'cyclic', a = 'a', level = 1,\nstatement = '" +
-                    std::string(text) + "' } } }, require 'paper.summary') }"),
-            "test.lua:4: statistics.claims[1].statement must be one line"));
+        BOOST_TEST(test::contains(refused("return paper.design { name = 'x', settings = { { name = 'a' } },\n"
+                                          "statistics = planula.fill({ claims = { { id = 'C', a = 'a', judge "
+                                          "= function() end,\nstatement = '" +
+                                          std::string(text) + "' } } }, require 'paper.summary') }"),
+                                  "test.lua:4: statistics.claims[1].statement must be one line"));
     }
 }
 
@@ -280,30 +279,56 @@ BOOST_AUTO_TEST_CASE(only_overrides_that_decide_lives_are_kept_with_a_run) {
     BOOST_TEST((std::find(files.begin(), files.end(), "paper/judgement.lua") != files.end()));
 }
 
-BOOST_AUTO_TEST_CASE(claims_are_checked_on_their_line) {
-    const auto claims = [](const std::string &claim) {
+BOOST_AUTO_TEST_CASE(claims_and_tables_are_checked_on_their_line) {
+    // `fields` begins on line 5.
+    const auto statistics = [](const std::string &fields) {
         return refused("return paper.design { name = 'x', settings = { { name = 'a' }, { name = 'b' } },\n"
                        "statistics = { confidence = 0.95, resamples = 100, significance = 0.05, sample_share "
-                       "= 0.01, sample_least = 10,\n"
-                       "claims = {\n" +
-                       claim + "\n} } }");
+                       "= 0.01, sample_least = 10,\n\n" +
+                       fields + "\n} }");
     };
+    const auto claims = [&](const std::string &claim) { return statistics("claims = {\n" + claim + "\n}"); };
     const std::string good =
-        "id = 'S1', statement = 's', section = '1', paper = 'p', test = 'best_at_generation', ";
-    BOOST_TEST(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater' }") == "");
-    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'bb', expect = 'greater' }"),
-                              "test.lua:5: claim 'S1'"),
-               claims("{ " + good + "a = 'a', b = 'bb', expect = 'greater' }"));
-    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expect = 'bigger' }"),
-                              "test.lua:5: claim 'S1'"));
-    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expects = 'greater' }"),
-                              "did you mean 'expect'?"));
-    BOOST_TEST(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater', calibrated = true }") == "");
-    BOOST_TEST(test::contains(claims("{ " + good + "a = 'a', b = 'b', expect = 'greater', calibrated = 1 }"),
-                              "calibrated must be true or false"));
-    BOOST_TEST(test::contains(claims("{ id = 'S1' }"), "statement is missing"));
-    BOOST_TEST(test::contains(refused_body("statistics = 'paper.statistic'"),
-                              "test.lua:3: no module 'paper.statistic'"));
+        "id = 'S1', statement = 's', a = 'a', "
+        "judge = function(runs) return { verdict = 'inconclusive', effect = runs.a.best_fitness[1][1] } end";
+    BOOST_TEST(claims("{ " + good + " }") == "");
+    BOOST_TEST(claims("{ " + good +
+                      ", b = 'b', test = 'mine', section = '1', paper = 'p', generation = 3, "
+                      "calibrated = true }") == "");
+    const auto says = [](const std::string &said, const std::string &words) {
+        BOOST_TEST(test::contains(said, words), said);
+    };
+    says(claims("{ " + good + ", b = 'bb' }"), "test.lua:6: claim 'S1': there is no setting 'bb'");
+    says(claims("{ " + good + ", expect = 'greater' }"), "test.lua:6: statistics.claims[1] has no 'expect'");
+    says(claims("{ " + good + ", calibrate = true }"), "did you mean 'calibrated'?");
+    says(claims("{ " + good + ", calibrated = 1 }"), "calibrated must be true or false");
+    says(claims("{ " + good + ", generation = 1.5 }"), "generation = 1.5 must be a whole number");
+    says(claims("{ " + good + " }, { " + good + " }"), "two claims are called 'S1'");
+    says(claims("{ id = 'S1', a = 'a' }"), "statement is missing");
+    says(claims("{ id = 'S1', statement = 's', a = 'a' }"), "judge is missing");
+    says(claims("{ id = 'S1', statement = 's', a = 'a', judge = 'best' }"),
+         "judge must be a function, not a text");
+    says(claims("{ id = 'S1', statement = 's', a = 'a',\njudge = function(runs) return runs.c end }"),
+         "test.lua:7: runs has no 'c'");
+    says(statistics("tables = {\nmine = 3 }"),
+         "test.lua:6: statistics.tables.mine must be a function, not a number");
+    says(statistics("tables = { function() end }"), "tables are stated by name");
+    says(statistics("tables = {\nruns = function() end }"), "test.lua:6: planula writes runs.csv itself");
+    says(statistics("tables = {\n['../x'] = function() end }"), "the name of a table is 1 to 100 letters");
+    says(statistics("tables = {\nmine = function() return 3 end }"),
+         "test.lua:6: the table 'mine' returned number");
+    BOOST_TEST(statistics("tables = { mine = function(runs) return { { x = #runs.a } } end }") == "");
+    says(refused_body("statistics = 'paper.statistic'"), "test.lua:3: no module 'paper.statistic'");
+}
+
+BOOST_AUTO_TEST_CASE(the_settings_of_a_recorded_run_are_read_without_its_statistics) {
+    const auto sources = [] {
+        return test::script(
+            "local paper = require 'paper'\nreturn paper.experiment { name = 'x', statistics = { claims = "
+            "{ { test = 'of earlier versions' } } } }");
+    };
+    BOOST_TEST(load_experiment(sources(), {}, Part::settings).settings.size() == 1u);
+    BOOST_TEST(test::refusal([&] { load_experiment(sources()); }) != "");
 }
 
 BOOST_AUTO_TEST_CASE(every_search_is_one_line) {
