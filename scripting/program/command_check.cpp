@@ -88,7 +88,9 @@ class Check {
         const auto timed = [&](double &seconds, auto &&simulate) {
             const double began = processor_seconds();
             std::vector<Life> lives = simulate(spec, genomes, threads_, stop_now);
-            seconds = (processor_seconds() - began) / static_cast<double>(genomes.size());
+            const double taken = processor_seconds() - began;
+            simulated_seconds_ += taken;
+            seconds = taken / static_cast<double>(genomes.size());
             return lives;
         };
         if (is_new) own.lives.complete = timed(own.life_seconds, complete_lives);
@@ -131,7 +133,8 @@ class Check {
         if (lives_ > 0)
             console_.out << "trial lives: " << viable_ << " of " << lives_
                          << " end viable, of evolved specimens in "
-                         << count_of(experiment_.settings.size(), "setting") << '\n';
+                         << count_of(experiment_.settings.size(), "setting") << "; simulated in "
+                         << to_fixed(simulated_seconds_, 2) << " s of processor time\n";
     }
 
     void tell_estimate() {
@@ -182,6 +185,7 @@ class Check {
     std::map<std::string, Tried> tried_;                             // by conditions_text()
     std::map<std::pair<std::string, Actuation>, Measured> measured_; // by search and actuation
     std::size_t lives_ = 0, viable_ = 0;
+    double simulated_seconds_ = 0;                       // of a processor
     double seconds_ = 0, evaluations_ = 0, archive_ = 0; // of one seed of each setting
 };
 

@@ -13,29 +13,31 @@ namespace planula {
 
 namespace {
 
-constexpr std::string_view environment_key = "environment ", phase_key = "phase ";
+/// What else an identity holds than the environment and what happens in it.
+bool is_of_environment(std::string_view key) {
+    constexpr std::string_view others[] = {"model", "seed", "actuation", "search", "engine", "start"};
+    return std::find(std::begin(others), std::end(others), key) == std::end(others) &&
+           !key.starts_with("function ") && !key.starts_with("parameter ");
+}
+
+/// The key of an identity as people read it.
+std::string name_of_part(const std::string &key) {
+    constexpr std::string_view before = "environment ";
+    return key.starts_with(before) ? key.substr(before.size()) : key;
+}
 
 std::string with_unit(const std::string &value, std::string_view unit) {
     return unit.empty() || unit == "1" ? value : value + " " + std::string(unit);
 }
 
-/// The number of a world by its name, or by that of a phase: "phase 1 gravity".
+/// The number of that name, which may stand in another world: "phase 1 gravity".
 const WorldNumber *number_called(std::string_view name) {
     for (const WorldNumber &number : world_numbers())
-        if (number.name == name ||
-            (name.starts_with(phase_key) && name.ends_with(" " + std::string(number.name))))
-            return &number;
+        if (name == number.name || name.ends_with(" " + std::string(number.name))) return &number;
     return nullptr;
 }
 
-/// Whether an item is of the worlds of bodies, or of what happens to them there.
-bool concerns_worlds(const IdentityItem &item) {
-    return item.key.starts_with(environment_key) || item.key.starts_with(phase_key) || item.key == "damage";
-}
-
-std::string name_of(const IdentityItem &item) {
-    return item.key.starts_with(environment_key) ? item.key.substr(environment_key.size()) : item.key;
-}
+bool is_zero(const IdentityItem &item) { return item.value == "0" && number_called(item.key); }
 
 std::string range_text(double low, double high) { return to_fixed(low, 2) + " to " + to_fixed(high, 2); }
 
@@ -46,19 +48,32 @@ std::string ground_text(const std::vector<Vec2d> &points) {
            range_text(points.front().x, points.back().x) + ", height from " + range_text(low->y, high->y);
 }
 
-/// A part of the environment as people read it. In identities, points are a hash after their number.
-std::string part_text(const Spec &spec, std::string_view name, const std::string &value) {
+/// The text without the hashes that stand in it behind a number of things.
+std::string without_hashes(const std::string &text) {
+    constexpr std::size_t digits = 64;
+    std::string left;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = text.find_first_not_of("0123456789abcdef", at);
+        if (at > 0 && text[at - 1] == ' ' && std::min(end, text.size()) - at == digits) {
+            left.pop_back();
+            at += digits;
+        } else
+            left += text[at++];
+    }
+    return left;
+}
+
+/// A part of the environment as people read it.
+std::string part_text(const Spec &spec, const std::string &name, const std::string &value) {
     if (const WorldNumber *number = number_called(name)) return with_unit(value, number->unit);
     if (name == "ground" && !spec.environment.ground.empty()) return ground_text(spec.environment.ground);
-    constexpr std::size_t digits = 64;
-    const std::size_t blank = value.rfind(' ');
-    return blank != value.npos && value.size() - blank - 1 == digits ? value.substr(0, blank) : value;
+    return without_hashes(value);
 }
 
 std::vector<IdentityItem> environment_items(const Spec &spec) {
     std::vector<IdentityItem> items;
     for (IdentityItem &item : identity_of(spec, 0).items)
-        if (concerns_worlds(item)) items.push_back(std::move(item));
+        if (is_of_environment(item.key)) items.push_back(std::move(item));
     return items;
 }
 
@@ -117,22 +132,28 @@ std::vector<Departure> Comparison::of_setting(std::size_t index) {
     return found;
 }
 
+std::string Comparison::source_note(std::size_t index, const std::string &name) const {
+    const std::string source(source_of(name, experiment_.settings[index]));
+    if (!source.empty()) return "from the parameter " + source;
+    const Places &numbers = experiment_.world_places[index], &keys = experiment_.places[index];
+    const auto number = numbers.find(name);
+    if (number != numbers.end()) return number->second;
+    const auto environment = keys.find("environment");
+    return environment == keys.end() ? "" : environment->second;
+}
+
 void Comparison::add_environment(std::size_t index, std::vector<Departure> &found) const {
     const Spec &spec = experiment_.settings[index], &paper = counterpart(index);
     const std::vector<IdentityItem> ours = environment_items(spec), theirs = environment_items(paper);
     const auto compare = [&](const IdentityItem &own, const IdentityItem &other) {
-        if (own.value == other.value) return;
-        const std::string name = name_of(own), source(source_of(name, spec));
-        const Places &stated = experiment_.world_places[index];
-        const auto place = stated.find(name);
+        if (own.value == other.value || (is_zero(own) && other.value == "none")) return;
+        const std::string name = name_of_part(own.key);
         found.push_back({"environment",
                          name,
                          part_text(spec, name, own.value),
                          part_text(paper, name, other.value),
                          "",
-                         !source.empty()         ? "from the parameter " + source
-                         : place != stated.end() ? place->second
-                                                 : "",
+                         source_note(index, name),
                          {}});
     };
     for (const IdentityItem &item : ours) compare(item, item_of(theirs, item));
@@ -197,8 +218,8 @@ void Comparison::add_parameters(std::size_t index, std::vector<Departure> &found
 std::string environment_text(const Spec &spec) {
     std::vector<std::string> parts;
     for (const IdentityItem &item : environment_items(spec)) {
-        const std::string name = name_of(item);
-        if (number_called(name) && item.value == "0") continue;
+        const std::string name = name_of_part(item.key);
+        if (is_zero(item)) continue;
         parts.push_back(name + " " + part_text(spec, name, item.value));
     }
     return list_of(parts);

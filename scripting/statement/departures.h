@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where the settings of an experiment depart from the paper. The paper's side is the script of its replication,
 // paper/replication.lua of the library: each setting is compared with the one there that has the same actuation, has
-// ground or none as it has, and, if there is one, the same search. Of the environment everything is compared that is
-// part of a run's identity.
+// ground or none as it has, and, if there is one, the same search. Of the environment, and of what
+// happens to a body in it, everything is compared that is part of a run's identity.
 #pragma once
 
 #include "statement/meaning.h"
@@ -38,6 +38,8 @@ class Comparison {
 
   private:
     std::size_t counterpart_index(std::size_t index) const;
+    /// Where a part of the environment comes from: a parameter or a line.
+    std::string source_note(std::size_t index, const std::string &name) const;
     void add_environment(std::size_t index, std::vector<Departure> &found) const;
     void add_evolution(std::size_t index, std::vector<Departure> &found) const;
     void add_functions(std::size_t index, std::vector<Departure> &found);

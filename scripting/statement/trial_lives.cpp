@@ -234,9 +234,10 @@ void find_idle_numbers(const Experiment &experiment, std::size_t index, std::spa
     if (viable_among(lives.complete) == 0) return;
     for (const WorldNumber &number : world_numbers()) {
         const auto place = stated.find(number.name);
-        if (place == stated.end() || value_of(number, spec) == 0) continue;
+        const double absent = number.absent.value_or(0);
+        if (place == stated.end() || value_of(number, spec) == absent) continue;
         Spec without = spec;
-        number.in(without) = 0;
+        number.in(without) = absent;
         bool is_idle = true;
         for (std::size_t i = 0; i < genomes.size() && is_idle; ++i) {
             if (stop()) throw Stopped("stopped in the trial lives");
@@ -247,7 +248,7 @@ void find_idle_numbers(const Experiment &experiment, std::size_t index, std::spa
                           place->second,
                           std::string(number.name) + " = " + to_text(value_of(number, spec)) +
                               " changes nothing: " + share_of(genomes.size(), genomes.size()) +
-                              " are the same with 0",
+                              " are the same with " + to_text(absent),
                           {spec.name}});
     }
 }

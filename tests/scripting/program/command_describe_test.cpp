@@ -62,9 +62,8 @@ BOOST_AUTO_TEST_CASE(each_variant_departs_in_what_it_states) {
                "morphology-first,function,start.behaviour,descriptors/init.lua:24,none,,\"uses "
                "cells_per_niche = 16, "
                "longest = 8\"\n");
-    BOOST_TEST(
-        table_of("variants/stairs.lua") ==
-        "stairs,environment,ground,\"14 points, x from -60.00 to 60.00, height from 0.00 to 3.00\",flat,,\n");
+    BOOST_TEST(table_of("variants/stairs.lua") == "stairs,environment,ground,\"14 points, x from -60.00 to "
+                                                  "60.00, height from 0.00 to 3.00\",flat,,stairs.lua:11\n");
 }
 
 BOOST_AUTO_TEST_CASE(every_setting_of_a_study_departs_in_its_engine) {
