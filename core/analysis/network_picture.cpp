@@ -2,6 +2,7 @@
 #include "analysis/network_picture.h"
 
 #include "analysis/network_text.h"
+#include "analysis/svg.h"
 #include "base/text.h"
 #include "base/vec2.h"
 
@@ -20,26 +21,13 @@ constexpr double radius = 12; // of a node
 constexpr double clear_x = 44, clear_y = 32; // nodes nearer than this in both directions are moved apart
 constexpr double thinnest = 0.6, thickest = 6;
 constexpr double faintest = 0.3, fullest = 0.9;
-constexpr const char *exciting = "#2166ac", *inhibiting = "#b2182b", *ink = "#222222";
+constexpr const char *exciting = "#2166ac", *inhibiting = "#b2182b";
+
+using svg::ink, svg::number, svg::point;
 
 using Places = std::map<int, Vec2d>; // by node id
 
-std::string number(double value) { return to_fixed(value, 1); }
-std::string point(Vec2d v) { return number(v.x) + " " + number(v.y); }
 std::string colour_of(double weight) { return weight < 0 ? inhibiting : exciting; }
-
-std::string escaped(const std::string &text) {
-    std::string safe;
-    for (const char letter : text) {
-        if (letter == '<')
-            safe += "&lt;";
-        else if (letter == '&')
-            safe += "&amp;";
-        else
-            safe += letter;
-    }
-    return safe;
-}
 
 int rows_of(const Genome &genome) { return std::max({genome.inputs, genome.outputs, 4}); }
 double bottom_of(const Genome &genome) { return top + row * (rows_of(genome) - 1); }
@@ -129,26 +117,21 @@ std::string draw_links(const Genome &genome, const Places &places) {
     return text;
 }
 
-std::string draw_text(Vec2d at, const std::string &anchor, int size, const std::string &text) {
-    return "<text x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" text-anchor=\"" + anchor +
-           "\" font-size=\"" + to_text(size) + "\">" + escaped(text) + "</text>\n";
-}
-
 std::string draw_nodes(const Genome &genome, const Places &places) {
     std::string text;
     for (const NodeGene &node : genome.nodes) {
         const Vec2d at = places.at(node.id);
         const bool is_output = node.kind == NodeKind::output, is_hidden = node.kind == NodeKind::hidden;
         text += "<circle cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"" + number(radius) +
-                "\" stroke=\"" + ink + "\" fill=\"" +
+                "\" stroke=\"" + std::string(ink) + "\" fill=\"" +
                 (is_hidden   ? "#ffffff"
                  : is_output ? "#fde8c4"
                              : "#dfe9f3") +
                 "\"/>\n";
         if (is_hidden)
-            text += draw_text(at + Vec2d{0, 3.5}, "middle", 10, to_text(node.id));
+            text += svg::text(at + Vec2d{0, 3.5}, "middle", 10, to_text(node.id));
         else
-            text += draw_text(at + Vec2d{is_output ? 20.0 : -20.0, 5}, is_output ? "start" : "end", 15,
+            text += svg::text(at + Vec2d{is_output ? 20.0 : -20.0, 5}, is_output ? "start" : "end", 15,
                               name_of(genome, node));
     }
     return text;
@@ -165,11 +148,10 @@ std::string draw_legend(const Genome &genome) {
     const double y = bottom_of(genome) + foot - 18;
     std::string text;
     const auto sample = [&](double x, const std::string &style, const std::string &words) {
-        text += "<path d=\"M " + point({x, y}) + " L " + point({x + 42, y}) + "\" " + style + "/>\n" +
-                draw_text({x + 50, y + 5}, "start", 13, words);
+        text += svg::line({x, y}, {x + 42, y}, style) + svg::text({x + 50, y + 5}, "start", 13, words);
     };
-    const auto style = [](const char *colour, double wide) {
-        return std::string("stroke=\"") + colour + "\" stroke-width=\"" + number(wide) + "\"";
+    const auto style = [](std::string_view colour, double wide) {
+        return "stroke=\"" + std::string(colour) + "\" stroke-width=\"" + number(wide) + "\"";
     };
     sample(left - 20, style(exciting, 4), "positive weight");
     sample(left + 145, style(inhibiting, 4), "negative weight");
@@ -183,14 +165,13 @@ std::string draw_legend(const Genome &genome) {
 std::string svg_of(const Genome &genome, const std::string &title) {
     const Places places = layout(genome);
     const double height = bottom_of(genome) + foot;
-    const std::string size = "width=\"" + number(width) + "\" height=\"" + number(height) + "\"";
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" " + size + " viewBox=\"0 0 " + number(width) + " " +
-           number(height) + "\">\n<rect " + size + " fill=\"#ffffff\"/>\n" +
-           "<g font-family=\"Helvetica, Arial, sans-serif\" fill=\"" + ink + "\">\n" +
-           draw_text({width / 2, 38}, "middle", 19, title) +
-           "</g>\n<g fill=\"none\" stroke-linecap=\"round\">\n" + draw_links(genome, places) +
-           "</g>\n<g font-family=\"Helvetica, Arial, sans-serif\" stroke-width=\"1.4\">\n" +
-           draw_nodes(genome, places) + draw_legend(genome) + "</g>\n</svg>\n";
+    return svg::picture(width, height,
+                        "<g " + std::string(svg::font) + " fill=\"" + std::string(ink) + "\">\n" +
+                            svg::text({width / 2, 38}, "middle", 19, title) +
+                            "</g>\n<g fill=\"none\" stroke-linecap=\"round\">\n" +
+                            draw_links(genome, places) + "</g>\n<g " + std::string(svg::font) +
+                            " stroke-width=\"1.4\">\n" + draw_nodes(genome, places) + draw_legend(genome) +
+                            "</g>\n");
 }
 
 } // namespace planula

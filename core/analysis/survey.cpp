@@ -45,18 +45,16 @@ std::vector<RecordedRun> chosen_runs(const Spec &spec, const RunChoice &choice) 
 
 } // namespace
 
+SettingRuns runs_of_setting(const Spec &spec, const RunChoice &choice) {
+    SettingRuns setting{.spec = &spec, .runs = chosen_runs(spec, choice)};
+    if (!setting.runs.empty()) setting.generations = spec.parameters.design.generations;
+    return setting;
+}
+
 std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice &choice) {
     std::vector<SettingRuns> all;
-    bool any = false;
-    for (const Spec &spec : settings) {
-        SettingRuns &setting = all.emplace_back();
-        setting.spec = &spec;
-        setting.runs = chosen_runs(spec, choice);
-        if (setting.runs.empty()) continue;
-        setting.generations = spec.parameters.design.generations;
-        any = true;
-    }
-    if (!any)
+    for (const Spec &spec : settings) all.push_back(runs_of_setting(spec, choice));
+    if (std::all_of(all.begin(), all.end(), [](const SettingRuns &setting) { return setting.runs.empty(); }))
         throw InputError("there is no run of this experiment below " + choice.folder.string() + " that has " +
                          to_text(settings.front().parameters.design.generations) + " generations");
     return all;

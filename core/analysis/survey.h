@@ -23,6 +23,9 @@ struct SettingRuns {
     const RunFacts &outcome_of(std::size_t run) const { return histories[run].after.at(generations); }
 };
 
+/// Finds the chosen runs of a setting, with as many generations as it asks for; there may be none.
+SettingRuns runs_of_setting(const Spec &spec, const RunChoice &choice);
+
 /// Finds the chosen runs of every setting. Throws InputError if no setting has a run.
 std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice &choice);
 

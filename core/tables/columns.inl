@@ -374,6 +374,52 @@ COLUMN(int, calibrated, "0 or 1", "1: what the claim says was used to choose the
 COLUMN(std::string, note, "", "what limits the verdict")
 END_TABLE
 
+// ---- What planula compare writes ----
+
+TABLE(ComparedRunRow, "compared_runs.csv")
+COLUMN(std::string, measure, "", "what is compared: a column of runs.csv or generations.csv")
+COLUMN(std::string, unit, "", "its unit")
+COLUMN(int, generations, "generations", "generations after which the runs are compared")
+COLUMN(std::string, setting, "", "name of the setting, with its experiment or script where two have the same")
+COLUMN(std::int64_t, seed, "", "seed of the run")
+COLUMN(Maybe, value, "see unit", "its value; empty if it has none")
+END_TABLE
+
+TABLE(ComparedSettingRow, "compared_settings.csv")
+COLUMN(std::string, measure, "", "what is compared")
+COLUMN(std::string, setting, "", "name of the setting")
+COLUMN(int, runs, "runs", "runs that have a value")
+COLUMN(Maybe, median, "as the measure", "median of their values; empty without any")
+COLUMN(Maybe, low, "as the measure", "lower end of its bootstrap interval; empty with too few runs")
+COLUMN(Maybe, high, "as the measure", "upper end")
+END_TABLE
+
+TABLE(ComparisonRow, "comparisons.csv")
+COLUMN(std::string, measure, "", "what is compared")
+COLUMN(std::string, a, "", "first setting")
+COLUMN(std::string, b, "", "second setting, with which it is compared")
+COLUMN(int, pairs, "pairs", "pairs of runs of the same seed; 0: the runs were compared as independent samples")
+COLUMN(int, runs_a, "runs", "runs of the first setting that were compared")
+COLUMN(int, runs_b, "runs", "runs of the second")
+COLUMN(Maybe, median_a, "as the measure", "median of the first")
+COLUMN(Maybe, median_b, "as the measure", "median of the second")
+COLUMN(Maybe, difference, "as the measure", "by how much the first lies above the second: Hodges and Lehmann's estimate")
+COLUMN(Maybe, difference_low, "as the measure", "lower end of its interval, of all shifts that the test does not reject; empty with too few runs")
+COLUMN(Maybe, difference_high, "as the measure", "upper end")
+COLUMN(Maybe, a12, "1", "probability that a run of the first has a larger value than one of the second, ties counting half: Vargha and Delaney's A12")
+COLUMN(Maybe, a12_low, "1", "lower end of its BCa bootstrap interval, of pairs if there are; empty with too few runs, or if no value of one setting lies among those of the other")
+COLUMN(Maybe, a12_high, "1", "upper end")
+COLUMN(int, larger, "pairs", "pairs in which the first is larger")
+COLUMN(int, smaller, "pairs", "pairs in which it is smaller")
+COLUMN(std::string, test, "", "Wilcoxon's signed-rank test of pairs, else his rank-sum test")
+COLUMN(std::string, method, "", "how p was computed: exact, or by the normal approximation")
+COLUMN(Maybe, p, "1", "two-sided p; empty if so few runs cannot give one below the significance")
+COLUMN(Maybe, p_holm, "1", "p corrected after Holm, over all p of the table")
+COLUMN(std::string, note, "", "what limits the comparison")
+END_TABLE
+
+// ---- Reduced tables ----
+
 TABLE(BestGenomeRow, "best_genomes.csv")
 COLUMN(std::string, setting, "", "name of the setting")
 COLUMN(int, rank, "", "1: the setting's best run; then the next best, up to the third")

@@ -32,7 +32,7 @@ std::string literal_words(std::string_view value) {
 
 /// The function of the script that completes such a value.
 std::string completer_of(std::string_view value) {
-    if (value.ends_with(".lua")) return "_planula_files lua";
+    if (value.ends_with(".lua") || value == "SCRIPT.lua...") return "_planula_files lua";
     if (value == "FILE") return "_planula_files";
     if (value == "DIR" || value == "RUN" || value == "FROM...") return "_planula_folders";
     if (value == "NAME") return "_planula_words '" + parameter_names("") + "'";

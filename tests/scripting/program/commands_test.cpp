@@ -68,6 +68,7 @@ BOOST_AUTO_TEST_CASE(bash_completes_commands_options_and_values) {
     BOOST_TEST(completed("sensitivity --parameter frict") == "friction");
     BOOST_TEST(completed("genome --genome ''") == "best");
     BOOST_TEST(completed("check ''") == "small.lua");
+    BOOST_TEST(completed("compare ''") == "small.lua");
     BOOST_TEST(completed("run --seeds ''") == "");
     BOOST_TEST(completed("nonsense --x") == "");
     BOOST_TEST(planula_says({"completion", "fish"}).code == 2);
