@@ -36,6 +36,7 @@ Parameters brief(int steps) {
 
 /// Each cell's signal as a function of time.
 struct Signals : Gait {
+    void keep(std::span<const int>, std::span<const Link>) override {}
     explicit Signals(std::function<double(int, std::size_t)> signal_of) : value(std::move(signal_of)) {}
     void signals(int t, std::span<double> signal) override {
         for (std::size_t cell = 0; cell < signal.size(); ++cell) signal[cell] = value(t, cell);

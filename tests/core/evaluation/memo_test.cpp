@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(known_individuals_do_not_depend_on_threads) {
 BOOST_AUTO_TEST_CASE(a_known_movement_has_the_phases_and_the_damage_of_the_conditions) {
     Conditions given = conditions(Actuation::oscillator);
     given.phases = {{200, water(), 0.4, false}};
-    given.damage = Damage{.at = 100, .share = 0.3, .side = Side::random};
+    given.damage = Damage{.at = 100, .share = 0.3, .side = Side::left};
     const Genome disc = disc_genome(Actuation::oscillator);
     given.observed.add(Observation::phase_finish);
     Memo memo(given);
