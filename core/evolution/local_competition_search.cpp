@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "evolution/local_competition_search.h"
 
+#include "base/error.h"
 #include "genome/distance.h"
 
 #include <algorithm>
@@ -24,23 +25,39 @@ std::vector<double> genotypic_diversity(const Elites &pool, const NeatParameters
 
 } // namespace
 
+bool LocalCompetitionSearch::take(const Aims &aims) {
+    for (const Objective &objective : aims.objectives)
+        if (objective.value == Objective::Value::novelty)
+            throw InputError("novelty is an objective of search 'nslc' already; state what individuals compete by");
+    return ParetoSearch::take(aims);
+}
+
 std::vector<Objectives> LocalCompetitionSearch::objectives(const Elites &pool,
                                                            const NeighbourLists &neighbours,
                                                            const NoveltyArchive &archive) const {
-    const auto fitness = [&](std::size_t index) {
-        return index < pool.size() ? pool.evaluations[index].fitness
-                                   : archive.entries()[index - pool.size()].fitness;
+    static const std::vector<Objective> fitness_alone{{"fitness", Objective::Value::fitness, {}}};
+    const std::vector<Objective> &aims = aims_.objectives.empty() ? fitness_alone : aims_.objectives;
+    // What an individual of the pool or the archive is worth, by each aim.
+    const auto worth = [&](std::size_t index) {
+        if (index < pool.size())
+            return worths(aims, pool.evaluations[index].fitness, 0, pool.evaluations[index].objectives);
+        const ArchiveEntry &entry = archive.entries()[index - pool.size()];
+        return worths(aims, entry.fitness, 0, entry.objectives);
     };
     const std::vector<double> genotypic = genotypic_diversity(pool, neat_);
     std::vector<Objectives> result(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i) {
         const Evaluation &evaluation = pool.evaluations[i];
         if (!evaluation.valid()) continue;
-        const auto beaten =
-            std::count_if(neighbours[i].begin(), neighbours[i].end(), [&](const Neighbour &neighbour) {
-                return fitness(neighbour.index) < evaluation.fitness;
-            });
-        result[i] = {novelty(neighbours[i]) * evaluation.penalty, static_cast<double>(beaten), genotypic[i]};
+        const std::vector<double> own = worth(i);
+        std::vector<double> beaten(aims.size());
+        for (const Neighbour &neighbour : neighbours[i]) {
+            const std::vector<double> other = worth(neighbour.index);
+            for (std::size_t aim = 0; aim < aims.size(); ++aim) beaten[aim] += other[aim] < own[aim];
+        }
+        result[i] = {novelty(neighbours[i]) * evaluation.penalty};
+        result[i].insert(result[i].end(), beaten.begin(), beaten.end());
+        result[i].push_back(genotypic[i]);
     }
     return result;
 }

@@ -2,7 +2,8 @@
 // Novelty search with local competition (Lehman & Stanley 2011, "Evolving a diversity of virtual creatures through
 // novelty search and local competition", GECCO): an individual competes with those that behave like it, so that every
 // way of behaving is improved by its own measure. NSGA-II with three objectives: novelty, local competition and
-// genotypic diversity; the last takes the place of crowding in the space of objectives, which would conflate
+// genotypic diversity. Individuals compete by fitness; where an experiment states objectives, by each of these, which
+// makes one objective of local competition each. Genotypic diversity takes the place of crowding in the space of objectives, which would conflate
 // individuals that differ but have equal scores.
 #pragma once
 
@@ -15,8 +16,10 @@ class LocalCompetitionSearch final : public ParetoSearch {
     explicit LocalCompetitionSearch(const Parameters &parameters)
         : ParetoSearch("local competition search", parameters) {}
 
-    /// Novelty × penalty; the number of neighbours, the same that novelty is measured by, with lower fitness; the mean
-    /// distance δ (genome/distance.h) to the valid others of the pool.
+    /// Throws InputError if novelty is stated as an objective.
+    bool take(const Aims &aims) override;
+    /// Novelty × penalty; the number of neighbours, the same that novelty is measured by, with lower fitness, or worse
+    /// by each stated objective; the mean distance δ (genome/distance.h) to the valid others of the pool.
     std::vector<Objectives> objectives(const Elites &pool, const NeighbourLists &neighbours,
                                        const NoveltyArchive &archive) const override;
     std::vector<double> diversity(std::span<const Objectives> objectives,

@@ -2,16 +2,33 @@
 #include "evolution/map_elites_search.h"
 
 #include "base/check.h"
+#include "base/error.h"
+#include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace planula {
+
+bool MapElitesSearch::take(const Aims &aims) {
+    const auto has_range = [](const DescriptorNumber &number) { return number.cells > 0; };
+    const auto ranges = std::count_if(aims.descriptor.begin(), aims.descriptor.end(), has_range);
+    if (ranges != 0 && ranges != std::ssize(aims.descriptor))
+        throw InputError("search 'map-elites' takes from, to and cells for every number of the descriptor, or for none");
+    if (ranges != 0) ranges_ = aims.descriptor;
+    return Search::take(aims);
+}
 
 std::vector<double> MapElitesSearch::score(const Population &population,
                                            std::span<const Evaluation> evaluations) {
     CHECK(evaluations.size() == population.genomes.size(), evaluations.size(), population.genomes.size());
     check_behaviours(evaluations, length_);
+    if (!ranges_.empty() && length_ != 0 && length_ != ranges_.size())
+        throw InputError("the descriptor has ranges of " + to_text(std::int64_t(ranges_.size())) +
+                         " numbers, but behaviours have " + to_text(std::int64_t(length_)));
     std::vector<double> scores(evaluations.size());
     for (std::size_t slot = 0; slot < evaluations.size(); ++slot) {
         const Genome &genome = population.genomes[slot];
@@ -26,7 +43,11 @@ std::vector<double> MapElitesSearch::score(const Population &population,
 
 MapElitesSearch::Niche MapElitesSearch::niche_of(const Evaluation &evaluation) const {
     Niche niche;
-    for (const double value : evaluation.behaviour) niche.push_back(std::floor(value / niche_width_));
+    for (std::size_t i = 0; i < evaluation.behaviour.size(); ++i) {
+        const double value = evaluation.behaviour[i];
+        niche.push_back(ranges_.empty() ? std::floor(value / niche_width_)
+                                        : planula::niche_of(ranges_[i], value));
+    }
     return niche;
 }
 
@@ -68,7 +89,9 @@ void MapElitesSearch::save(const Population &population, StateWriter &writer) co
 
 void MapElitesSearch::load(const Population &population, std::span<const ArchiveEntry> archive,
                            StateReader &reader) {
+    const std::vector<DescriptorNumber> ranges = ranges_;
     *this = MapElitesSearch(neat_, niche_width_);
+    ranges_ = ranges;
     reader.group("map-elites search");
     const Elites elites = load_elites(population, reader);
     reader.group("archive");
@@ -82,6 +105,7 @@ void MapElitesSearch::load(const Population &population, std::span<const Archive
         const Evaluation &evaluation = elites.evaluations[i];
         if (!evaluation.valid() || evaluation.behaviour.empty() || evaluation.behaviour.size() != length_)
             reader.refuse("an elite has no niche");
+        if (!ranges_.empty() && length_ != ranges_.size()) reader.refuse("an elite has a niche of another map");
         if (niches_.contains(niche_of(evaluation))) reader.refuse("two elites share a niche");
         enter(elites.genomes[i], evaluation);
     }

@@ -15,6 +15,7 @@
 #include "evolution/search.h"
 
 #include <map>
+#include <utility>
 
 namespace planula {
 
@@ -23,6 +24,9 @@ class MapElitesSearch final : public Search {
     explicit MapElitesSearch(const Parameters &parameters)
         : MapElitesSearch(parameters.neat, parameters.map_elites.niche_width) {}
 
+    /// Ranges of the descriptor, where they are stated, take the place of niche_width: the map is bounded, and what lies
+    /// outside belongs to the niches at its edge (niche_of()).
+    bool take(const Aims &aims) override;
     /// Throws InputError as check_behaviours() does.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
     /// As long as there is no elite, parents are drawn from the population.
@@ -42,7 +46,7 @@ class MapElitesSearch final : public Search {
     MapElitesSearch(const NeatParameters &neat, double niche_width)
         : neat_(neat), niche_width_(niche_width) {}
 
-    /// Multiples of the width, rounded down.
+    /// Multiples of the width, rounded down; or numbers of niches in the ranges.
     using Niche = std::vector<double>;
     Niche niche_of(const Evaluation &evaluation) const;
     bool enters(const Evaluation &evaluation) const;
@@ -51,6 +55,7 @@ class MapElitesSearch final : public Search {
 
     NeatParameters neat_;
     double niche_width_;
+    std::vector<DescriptorNumber> ranges_; // empty without stated ranges
     Elites elites_;
     std::map<Niche, std::size_t> niches_; // places among the elites
     std::vector<ArchiveEntry> archive_;

@@ -57,7 +57,7 @@ void NoveltyArchive::extend(const Population &population, std::span<const Evalua
         if (!added) continue;
         added_any = true;
         add({population.generation, population.genomes[slot].id, evaluations[slot].behaviour, novelty[slot],
-             evaluations[slot].fitness});
+             evaluations[slot].fitness, evaluations[slot].objectives});
         if (run_ > parameters_.archive_run) threshold_ *= parameters_.archive_raise;
     }
 

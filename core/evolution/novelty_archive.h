@@ -23,6 +23,7 @@ struct ArchiveEntry {
     std::vector<double> behaviour;
     double novelty = 0; // when it was added
     double fitness = 0;
+    std::vector<double> objectives = {}; // as of Evaluation
     bool operator==(const ArchiveEntry &) const = default;
 };
 

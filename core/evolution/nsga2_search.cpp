@@ -8,7 +8,11 @@ std::vector<Objectives> Nsga2Search::objectives(const Elites &pool, const Neighb
     std::vector<Objectives> result(pool.size());
     for (std::size_t i = 0; i < pool.size(); ++i) {
         const Evaluation &evaluation = pool.evaluations[i];
-        if (evaluation.valid()) result[i] = {evaluation.fitness, novelty(neighbours[i]) * evaluation.penalty};
+        if (!evaluation.valid()) continue;
+        const double new_by = novelty(neighbours[i]) * evaluation.penalty;
+        result[i] = aims_.objectives.empty()
+                        ? Objectives{evaluation.fitness, new_by}
+                        : worths(aims_.objectives, evaluation.fitness, new_by, evaluation.objectives);
     }
     return result;
 }

@@ -2,14 +2,21 @@
 #include "evolution/pareto_search.h"
 
 #include "base/check.h"
+#include "base/error.h"
 
 #include <algorithm>
 
 namespace planula {
 
+bool ParetoSearch::take(const Aims &aims) {
+    aims_ = aims;
+    return true;
+}
+
 std::vector<double> ParetoSearch::score(const Population &population,
                                         std::span<const Evaluation> evaluations) {
     CHECK(evaluations.size() == population.genomes.size(), evaluations.size(), population.genomes.size());
+    check_objectives(evaluations, aims_.stated());
     Elites pool = kept_;
     for (std::size_t slot = 0; slot < evaluations.size(); ++slot)
         pool.add(population.genomes[slot], evaluations[slot]);
@@ -65,6 +72,11 @@ void ParetoSearch::save(const Population &population, StateWriter &writer) const
     writer.group(name_);
     archive_.save(writer);
     planula::save(kept_, population.innovations, writer);
+    // Runs without stated objectives have no such part.
+    if (aims_.stated() == 0) return;
+    writer.group("objectives");
+    for (const Evaluation &evaluation : kept_.evaluations)
+        for (const double value : evaluation.objectives) writer.real(value);
 }
 
 void ParetoSearch::load(const Population &population, std::span<const ArchiveEntry> archive,
@@ -72,6 +84,14 @@ void ParetoSearch::load(const Population &population, std::span<const ArchiveEnt
     reader.group(name_);
     archive_.load(reader, archive);
     kept_ = load_elites(population, reader);
+    const std::size_t stated = aims_.stated();
+    for (const ArchiveEntry &entry : archive)
+        if (entry.objectives.size() != stated) reader.refuse("an entry of the archive lacks objectives");
+    if (stated == 0) return;
+    reader.group("objectives");
+    for (Evaluation &evaluation : kept_.evaluations)
+        for (std::size_t i = 0; evaluation.valid() && i < stated; ++i)
+            evaluation.objectives.push_back(reader.finite());
 }
 
 } // namespace planula

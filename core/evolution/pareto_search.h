@@ -4,7 +4,7 @@
 // by diversity. As many as a population holds are kept, and become parents by binary tournaments on that rank; they are
 // not simulated again. Each search defines its objectives and its diversity.
 //
-// One objective is always novelty, Eq. (7), times the penalty. It is computed in every generation, for kept and new
+// Novelty, Eq. (7), times the penalty, may be an objective. It is computed in every generation, for kept and new
 // individuals, among all of both and the archive. The archive is that of novelty search; only new individuals
 // enter it. An invalid individual is not feasible.
 #pragma once
@@ -19,8 +19,10 @@ namespace planula {
 
 class ParetoSearch : public Search {
   public:
+    /// Keeps the objectives that the experiment states.
+    bool take(const Aims &aims) override;
     /// The number of individuals, kept or new, that an individual outranks. Throws InputError as check_behaviours()
-    /// does.
+    /// and check_objectives() do.
     std::vector<double> score(const Population &population, std::span<const Evaluation> evaluations) override;
     Population next(const Population &population, std::span<const double> scores, const NetworkShape &shape,
                     std::uint64_t seed) const override;
@@ -48,6 +50,7 @@ class ParetoSearch : public Search {
                                           std::span<const int> front) const = 0;
 
     const NeatParameters neat_;
+    Aims aims_;
 
   private:
     std::vector<int> ranked(std::span<const Objectives> objectives) const;

@@ -30,10 +30,32 @@ std::string search_scores() {
     return text;
 }
 
-std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters) {
+namespace {
+
+/// "nsga2 and nslc": the searches that can have these aims.
+std::string searches_for(const Aims &aims, const Parameters &parameters) {
+    std::string names;
+    for (const SearchRow &row : search_rows()) {
+        Aims alone;
+        alone.objectives.assign(aims.objectives.begin(), aims.objectives.begin() + 1);
+        alone.objectives.front().value = Objective::Value::stated;
+        if (row.make(parameters)->take(alone)) names += (names.empty() ? "" : " and ") + std::string(row.name);
+    }
+    return names;
+}
+
+} // namespace
+
+std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters, const Aims &aims) {
     std::string known;
     for (const SearchRow &row : search_rows()) {
-        if (row.name == name) return row.make(parameters);
+        if (row.name == name) {
+            auto search = row.make(parameters);
+            if (!search->take(aims))
+                throw InputError("search '" + std::string(name) + "' reads no objectives, but fitness; " +
+                                 searches_for(aims, parameters) + " read them");
+            return search;
+        }
         known += (known.empty() ? "'" : ", '") + std::string(row.name) + "'";
     }
     const std::string nearest = nearest_name(name, search_names());

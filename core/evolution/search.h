@@ -7,6 +7,7 @@
 // A new search is one file, <name>_search.cpp, and its line in evolution/searches.inl.
 #pragma once
 
+#include "evolution/aims.h"
 #include "evolution/evaluation.h"
 #include "evolution/novelty_archive.h"
 #include "evolution/population.h"
@@ -22,6 +23,10 @@ namespace planula {
 class Search {
   public:
     virtual ~Search() = default;
+
+    /// To be called before anything else, if at all. False if this search reads no objectives and some are stated;
+    /// throws InputError for aims that it cannot have.
+    virtual bool take(const Aims &aims) { return aims.objectives.empty(); }
 
     /// One score per individual, in slot order; called once per generation, in order.
     virtual std::vector<double> score(const Population &population,
@@ -59,7 +64,8 @@ std::span<const SearchRow> search_rows();
 std::vector<std::string_view> search_names();
 /// What each search rewards: "neat: fitness; novelty: …".
 std::string search_scores();
-/// Throws InputError with the nearest name if there is no such search.
-std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters);
+/// Throws InputError with the nearest name if there is no such search, and if it cannot have these aims.
+std::unique_ptr<Search> make_search(std::string_view name, const Parameters &parameters,
+                                    const Aims &aims = {});
 
 } // namespace planula

@@ -64,12 +64,19 @@ class Feeder {
         each_field(life, [this](const auto &field) { add(field); });
     }
     void add(const Evaluation &evaluation) {
-        const auto &[fitness, behaviour, penalty] = evaluation;
+        const auto &[fitness, behaviour, penalty, objectives] = evaluation;
         all(fitness, behaviour, penalty);
+        stated(objectives);
     }
     void add(const ArchiveEntry &entry) {
-        const auto &[generation, genome, behaviour, novelty, fitness] = entry;
+        const auto &[generation, genome, behaviour, novelty, fitness, objectives] = entry;
         all(generation, genome, behaviour, novelty, fitness);
+        stated(objectives);
+    }
+
+    /// Objectives, which only some experiments state: without any, nothing is fed.
+    void stated(const std::vector<double> &objectives) {
+        if (!objectives.empty()) add(objectives);
     }
 
     Hash &hash_;

@@ -91,6 +91,22 @@ void add_course(const Spec &spec, Identity &identity) {
     add("damage", damage_text(spec.damage));
 }
 
+/// Only what is stated: runs of other experiments have no such items.
+void add_aims(const Aims &aims, Identity &identity) {
+    const auto add = [&](const std::string &what, std::size_t index, const std::string &value) {
+        identity.items.push_back({what + " " + to_text(static_cast<std::int64_t>(index + 1)), value, "", ""});
+    };
+    for (std::size_t i = 0; i < aims.objectives.size(); ++i)
+        add("objective", i, std::string(name_of(aims.objectives[i].goal)) + " " + aims.objectives[i].name);
+    for (std::size_t i = 0; i < aims.descriptor.size(); ++i) {
+        const DescriptorNumber &number = aims.descriptor[i];
+        const std::string range = number.cells == 0 ? ""
+                                                    : " " + to_text(number.from) + " to " + to_text(number.to) +
+                                                          " in " + to_text(number.cells);
+        add("descriptor", i, number.name + range);
+    }
+}
+
 std::string shown(std::string_view key, const std::string &value) {
     return is_hash(key) ? value.substr(0, shown_digits) : value;
 }
@@ -137,6 +153,7 @@ Identity identity_of(const Spec &spec, std::uint64_t seed) {
     add("start", spec.start ? to_text(spec.start->generations) + " generations" : "none");
     add_environment("environment ", spec, identity);
     add_course(spec, identity);
+    add_aims(spec.aims, identity);
     for (const FunctionMeaning &function : spec.judgement)
         add(function_key + function.name, function.sha256, function.place);
     for (const ParameterRow &row : parameter_rows())

@@ -15,7 +15,7 @@ RunState load_run_state(const Spec &spec, std::span<const ArchiveEntry> archive,
     const NetworkShape shape = shape_of(spec.actuation);
     const Parameters &p = spec.parameters;
     RunState state{load_population(shape, p.neat.population, p.design.generations, reader),
-                   make_search(spec.search, p),
+                   make_search(spec.search, p, spec.aims),
                    {}};
     state.search->load(state.population, archive, reader);
     for (const Genome &genome : state.search->kept_genomes())

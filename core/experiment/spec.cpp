@@ -7,6 +7,8 @@
 #include "physics/engine.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace planula {
 
@@ -18,6 +20,34 @@ bool is_file_name(const std::string &name) {
                c == '_';
     };
     return !name.empty() && name.size() <= 100 && std::all_of(name.begin(), name.end(), allowed);
+}
+
+/// Of columns.
+void check_names(const std::string &what, const std::vector<std::string> &names) {
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        check_name(what, *name);
+        const char first = name->front();
+        if (!((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) || name->size() > 40)
+            throw InputError("the name of " + what + " begins with a letter and has at most 40: '" + *name + "'");
+        if (std::find(names.begin(), name, *name) != name)
+            throw InputError("two of the names are '" + *name + "': each names " + what);
+    }
+}
+
+void check_aims(const Aims &aims) {
+    std::vector<std::string> objectives, numbers;
+    for (const Objective &objective : aims.objectives) objectives.push_back(objective.name);
+    for (const DescriptorNumber &number : aims.descriptor) {
+        numbers.push_back(number.name);
+        if (number.cells == 0) continue;
+        if (!(number.from < number.to) || !std::isfinite(number.to - number.from))
+            throw InputError("descriptor " + number.name + ": from must be below to, not " + to_text(number.from) +
+                             " and " + to_text(number.to));
+        if (number.cells < 1 || number.cells > 10000)
+            throw InputError("descriptor " + number.name + ": cells is 1 to 10000, not " + to_text(number.cells));
+    }
+    check_names("an objective", objectives);
+    check_names("a number of the descriptor", numbers);
 }
 
 } // namespace
@@ -44,7 +74,8 @@ void check_spec(const Spec &spec) {
         throw InputError("start takes at least 1 generation, not " + to_text(spec.start->generations));
     if (spec.start && !spec.start->judge)
         throw InputError("the start of setting " + spec.name + " has no behaviour");
-    make_search(spec.search, spec.parameters);
+    make_search(spec.search, spec.parameters, spec.aims);
+    check_aims(spec.aims);
     make_engine(spec.engine);
     check_environment(spec.environment);
     check_course(spec);

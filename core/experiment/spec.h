@@ -4,6 +4,7 @@
 
 #include "evaluation/conditions.h"
 #include "evaluation/life.h"
+#include "evolution/aims.h"
 #include "evolution/evaluation.h"
 #include "evolution/population.h"
 
@@ -42,6 +43,7 @@ struct Spec : Conditions {
     std::string name;            // of the setting: file-name characters, unique in its experiment
     std::string title;           // for people
     std::string search = "neat"; // a name of evolution/searches.inl
+    Aims aims;                   // what it is to aim at, beside fitness and behaviour
     Judge judge;                 // called on the main thread, in slot order
     std::optional<Start> start;  // none: generation 0 is random
     Recording record = Recording::full;
@@ -60,7 +62,8 @@ NetworkShape shape_of(Actuation actuation);
 void check_name(const std::string &what, const std::string &name);
 
 /// Throws InputError with the rule and the value: an empty or unsafe name, an unknown search or engine, a
-/// bad environment, inconsistent parameters, a range outside 0 … 0.9, no judge, an empty start.
+/// bad environment, inconsistent parameters, a range outside 0 … 0.9, no judge, an empty start, aims that the search
+/// cannot have, bad names or ranges of these.
 void check_spec(const Spec &spec);
 
 } // namespace planula

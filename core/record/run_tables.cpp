@@ -18,13 +18,30 @@ template <class Row> std::string lines_of(const std::vector<Row> &rows) {
     return text;
 }
 
+/// A line of individuals.csv.gz, or its header, with further fields.
+std::string with_fields(std::string line, const std::vector<std::string> &fields) {
+    if (fields.empty()) return line;
+    line.back() = ',';
+    return line + to_line(fields);
+}
+
+/// The objectives of an individual; empty fields for one that is not valid.
+std::vector<std::string> objective_fields(const Evaluation &evaluation, std::size_t stated) {
+    std::vector<std::string> fields(stated);
+    for (std::size_t i = 0; i < evaluation.objectives.size() && i < stated; ++i)
+        fields[i] = to_field(evaluation.objectives[i]);
+    return fields;
+}
+
 std::string individual_lines(const Generation &generation, const Spec &spec, std::uint64_t seed) {
     const std::vector<int> species = species_of_slots(generation.population);
     const int population = static_cast<int>(species.size());
     std::string text;
     for (int slot = 0; slot < population; ++slot)
         if (spec.record == Recording::full || is_recorded(seed, population, generation.number, slot))
-            text += line_of(individual_row(generation, slot, species[static_cast<std::size_t>(slot)]));
+            text += with_fields(
+                line_of(individual_row(generation, slot, species[static_cast<std::size_t>(slot)])),
+                objective_fields(generation.evaluations[static_cast<std::size_t>(slot)], spec.aims.stated()));
     return text;
 }
 
@@ -45,8 +62,8 @@ std::string archive_lines(const Generation &generation) {
     return text;
 }
 
-/// The header of a table whose columns are always the same.
-std::string header_of_file(std::string_view file) {
+/// The header of a table but the archive.
+std::string header_of_file(std::string_view file, const Aims &aims) {
     std::string header;
     const auto offer = [&](std::string_view name, std::string &&line) {
         if (name == file) header = std::move(line);
@@ -54,7 +71,7 @@ std::string header_of_file(std::string_view file) {
     offer(GenerationRow::file_name, header_line<GenerationRow>());
     offer(SizeRow::file_name, header_line<SizeRow>());
     offer(FitnessClassRow::file_name, header_line<FitnessClassRow>());
-    offer(IndividualRow::file_name, header_line<IndividualRow>());
+    offer(IndividualRow::file_name, with_fields(header_line<IndividualRow>(), aims.stated_titles()));
     offer(SpeciesRow::file_name, header_line<SpeciesRow>());
     offer(ChampionRow::file_name, header_line<ChampionRow>());
     offer(ChampionGenomeRow::file_name, header_line<ChampionGenomeRow>());
@@ -63,11 +80,12 @@ std::string header_of_file(std::string_view file) {
 }
 
 /// The archive's header follows from its first entry.
-std::string archive_header_for(const std::string &lines) {
+std::string archive_header_for(const std::string &lines, const Aims &aims) {
     const std::string first = lines.substr(0, lines.find('\n'));
     constexpr std::size_t commas_before_behaviour = 3;
     return archive_header(static_cast<std::size_t>(std::count(first.begin(), first.end(), ',')) -
-                          commas_before_behaviour);
+                              commas_before_behaviour - aims.stated(),
+                          aims);
 }
 
 } // namespace
@@ -93,11 +111,13 @@ RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t
     return texts;
 }
 
-RunTables::RunTables(const std::filesystem::path &folder, bool with_archive, const StartOf &start_of) {
+RunTables::RunTables(const std::filesystem::path &folder, bool with_archive, const StartOf &start_of,
+                     const Aims &aims)
+    : aims_(aims) {
     const auto open = [&](std::string_view file) {
         tables_.push_back({std::string(file), std::make_unique<Journal>(folder / file, start_of(file))});
         Journal &journal = *tables_.back().journal;
-        if (journal.is_empty()) journal.write(header_of_file(file));
+        if (journal.is_empty()) journal.write(header_of_file(file, aims_));
     };
     for (const std::string_view file : run_tables)
         if (file != ArchiveRow::file_name || with_archive) open(file);
@@ -108,7 +128,7 @@ void RunTables::write(const RowTexts &rows) {
     // All but the chain, which is the last.
     for (std::size_t i = 0; i + 1 < tables_.size(); ++i) {
         Journal &journal = *tables_[i].journal;
-        if (journal.is_empty() && !rows[i].empty()) journal.write(archive_header_for(rows[i]));
+        if (journal.is_empty() && !rows[i].empty()) journal.write(archive_header_for(rows[i], aims_));
         journal.write(rows[i]);
     }
 }
@@ -124,7 +144,7 @@ std::vector<std::pair<std::string, JournalMark>> RunTables::marks() {
 std::vector<std::pair<std::string, std::string>> RunTables::publish() {
     std::vector<std::pair<std::string, std::string>> hashes;
     for (const Table &table : tables_) {
-        if (table.journal->is_empty()) table.journal->write(archive_header());
+        if (table.journal->is_empty()) table.journal->write(archive_header(2, aims_));
         hashes.emplace_back(table.file, table.journal->publish());
     }
     return hashes;

@@ -3,6 +3,8 @@
 // are listed here once, in the order in which the chain (record/chain.h) and the manifest have them. Every row has the
 // number of its generation in its first column.
 //
+// Where an experiment states objectives, individuals.csv.gz ends with a column of each, and so does the archive.
+//
 // A run recorded as a sample (experiment/sample.h) has fewer rows in individuals.csv.gz and differs in nothing else.
 #pragma once
 
@@ -36,8 +38,10 @@ RowTexts row_texts(const Generation &generation, const Spec &spec, std::uint64_t
 class RunTables {
   public:
     using StartOf = std::function<JournalStart(std::string_view file)>;
-    /// Opens the journal of every table and of the chain; `start_of(file)` says where each begins.
-    RunTables(const std::filesystem::path &folder, bool with_archive, const StartOf &start_of);
+    /// Opens the journal of every table and of the chain; `start_of(file)` says where each begins. The aims are those of
+    /// the run's search: they name columns.
+    RunTables(const std::filesystem::path &folder, bool with_archive, const StartOf &start_of,
+              const Aims &aims = {});
 
     void write(const RowTexts &rows);
     void write_link(std::string_view line);
@@ -53,6 +57,7 @@ class RunTables {
     };
     Table &chain() { return tables_.back(); }
 
+    Aims aims_;
     std::vector<Table> tables_; // as in run_tables, and the chain
 };
 

@@ -5,6 +5,10 @@
 #include "storage/journal.h"
 #include "tables/csv.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 namespace planula {
 
 namespace {
@@ -22,10 +26,28 @@ std::vector<std::string> header_for(std::size_t length) {
     return header;
 }
 
+/// Whether this is the header of an archive with so many objectives.
+bool is_header(const std::vector<std::string> &header, std::size_t objectives) {
+    if (header.size() < first_behaviour + objectives) return false;
+    const std::size_t length = header.size() - first_behaviour - objectives;
+    const std::vector<std::string> standard = header_for(length);
+    const auto end = header.end() - static_cast<std::ptrdiff_t>(objectives);
+    if (std::equal(header.begin(), end, standard.begin(), standard.end())) return true;
+    // A descriptor with names, which begin with letters.
+    const auto named = header.begin() + first_behaviour;
+    return std::equal(header.begin(), named, standard.begin()) && std::all_of(named, end, [](const auto &title) {
+               return title.starts_with(behaviour_prefix) && title.size() > behaviour_prefix.size() &&
+                      !(title[behaviour_prefix.size()] >= '0' && title[behaviour_prefix.size()] <= '9');
+           });
+}
+
 std::vector<ArchiveEntry> read_entries(const std::filesystem::path &path, std::size_t most) {
     CsvReader reader(path);
     const std::size_t columns = reader.header().size();
-    if (columns < first_behaviour || reader.header() != header_for(columns - first_behaviour))
+    const auto objectives = static_cast<std::size_t>(
+        std::count_if(reader.header().begin(), reader.header().end(),
+                      [](const std::string &title) { return title.starts_with(objective_prefix); }));
+    if (!is_header(reader.header(), objectives))
         reader.refuse(
             "not the header of an archive: generation, genome, fitness, novelty_or_gain and a descriptor");
 
@@ -36,21 +58,31 @@ std::vector<ArchiveEntry> read_entries(const std::filesystem::path &path, std::s
         reader.parse(1, entry.genome);
         reader.parse(2, entry.fitness);
         reader.parse(3, entry.novelty);
-        entry.behaviour.resize(columns - first_behaviour);
         for (std::size_t i = first_behaviour; i < columns; ++i)
-            reader.parse(i, entry.behaviour[i - first_behaviour]);
+            reader.parse(i, i + objectives < columns ? entry.behaviour.emplace_back()
+                                                     : entry.objectives.emplace_back());
     }
     return archive;
 }
 
 } // namespace
 
-std::string archive_header(std::size_t length) { return to_line(header_for(length)); }
+std::string archive_header(std::size_t length, const Aims &aims) {
+    std::vector<std::string> header = header_for(length);
+    if (!aims.descriptor.empty()) {
+        header.resize(first_behaviour);
+        for (const DescriptorNumber &number : aims.descriptor)
+            header.push_back(std::string(behaviour_prefix) + number.name);
+    }
+    for (std::string &title : aims.stated_titles()) header.push_back(std::move(title));
+    return to_line(header);
+}
 
 std::string archive_line(const ArchiveEntry &entry) {
     std::vector<std::string> fields{to_field(entry.generation), to_field(entry.genome),
                                     to_field(entry.fitness), to_field(entry.novelty)};
     for (const double value : entry.behaviour) fields.push_back(to_field(value));
+    for (const double value : entry.objectives) fields.push_back(to_field(value));
     return to_line(fields);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The archive of a search as archive.csv.gz, the one table whose columns depend on the experiment: a
-// descriptor of two numbers stands under x and y, any other under behaviour_1, behaviour_2, …
+// descriptor of two numbers stands under x and y, any other under behaviour_1, behaviour_2, … Where the experiment names
+// its numbers they stand under behaviour_<name>, and the objectives that it states follow under objective_<name>.
 #pragma once
 
 #include "evolution/search.h"
@@ -13,8 +14,8 @@
 
 namespace planula {
 
-/// The header for descriptors of this length, as a line.
-std::string archive_header(std::size_t length = 2);
+/// The header for descriptors of this length, or for the named one of the aims, as a line.
+std::string archive_header(std::size_t length = 2, const Aims &aims = {});
 /// The line of an entry.
 std::string archive_line(const ArchiveEntry &entry);
 

@@ -116,6 +116,10 @@ COLUMN(int, links, "links", "links of the genome")
 COLUMN(int, hidden, "nodes", "hidden nodes of the genome")
 END_TABLE
 
+TABLE(ObjectiveRow, "individuals.csv.gz")
+COLUMN(Maybe, objective_1, "as the objective", "objective_<name>, for each objective that the experiment states as a function, by its name; empty for individuals that are not valid; without objectives there is no such column, with them also in archive.csv.gz")
+END_TABLE
+
 TABLE(SpeciesRow, "species.csv.gz")
 COLUMN(int, generation, "generation", "generation of the population")
 COLUMN(int, species, "id", "the species, numbered in order of foundation in the run; rows are in the order of slots")
@@ -139,7 +143,7 @@ COLUMN(double, y, "cell", "second number of its descriptor: in the paper the fin
 END_TABLE
 
 TABLE(ArchiveDescriptorRow, "archive.csv.gz")
-COLUMN(double, behaviour_1, "as the descriptor", "with behaviour_2 and so on in place of x and y where a descriptor has not two numbers")
+COLUMN(double, behaviour_1, "as the descriptor", "with behaviour_2 and so on in place of x and y where a descriptor has not two numbers; behaviour_<name> where the experiment names them")
 END_TABLE
 
 TABLE(ChampionRow, "champions.csv")

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "evolution/aims.h"
 #include "storage/input.h"
 
 #include <algorithm>
@@ -103,7 +104,12 @@ CsvReader::CsvReader(std::filesystem::path path, const std::vector<std::string_v
         if (header_[i] != header[i])
             refuse("column " + to_text(static_cast<int>(i) + 1) + " is called '" + header_[i] +
                    "' and must be '" + std::string(header[i]) + "'");
-    if (header_.size() != header.size())
+    // Objectives that an experiment states follow the columns of all others.
+    const auto extra = header_.begin() + static_cast<std::ptrdiff_t>(std::min(header.size(), header_.size()));
+    const bool objectives_follow = std::all_of(extra, header_.end(), [](const std::string &title) {
+        return title.starts_with(objective_prefix);
+    });
+    if (header_.size() < header.size() || !objectives_follow)
         refuse(to_text(static_cast<int>(header_.size())) + " columns, where there must be " +
                to_text(static_cast<int>(header.size())));
 }

@@ -71,7 +71,7 @@ class CsvReader {
   public:
     /// Reads the first line, whatever it says.
     explicit CsvReader(std::filesystem::path path);
-    /// Reads the first line, which must be this header.
+    /// Reads the first line, which must be this header; columns of objectives may follow (evolution/aims.h).
     CsvReader(std::filesystem::path path, const std::vector<std::string_view> &header);
     ~CsvReader();
     CsvReader(const CsvReader &) = delete;
