@@ -53,9 +53,8 @@ void check_objectives(std::span<const Evaluation> evaluations, std::size_t count
     for (const Evaluation &evaluation : evaluations) {
         if (!evaluation.valid()) continue;
         if (evaluation.objectives.size() != count)
-            throw InputError("a valid individual has " + to_text(std::int64_t(count)) +
-                             " objectives, but " + to_text(std::int64_t(evaluation.objectives.size())) +
-                             " were given");
+            throw InputError("a valid individual has " + to_text(std::int64_t(count)) + " objectives, but " +
+                             to_text(std::int64_t(evaluation.objectives.size())) + " were given");
         for (const double value : evaluation.objectives)
             if (!std::isfinite(value))
                 throw InputError("an objective must be finite, but " + to_text(value) + " was given");

@@ -14,7 +14,8 @@ struct Evaluation {
     double fitness = 0;            // the objective, >= 0 and finite; in novelty search only recorded
     std::vector<double> behaviour; // the descriptor; the same length for every valid individual of a run
     double penalty = 0;            // p of Eq. 6, in [0, 1]; 0: the individual is not valid
-    std::vector<double> objectives = {}; // those that the experiment states (evolution/aims.h); empty without any
+    std::vector<double> objectives =
+        {}; // those that the experiment states (evolution/aims.h); empty without any
 
     bool valid() const { return penalty > 0; }
     bool operator==(const Evaluation &) const = default;

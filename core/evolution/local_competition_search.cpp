@@ -28,7 +28,8 @@ std::vector<double> genotypic_diversity(const Elites &pool, const NeatParameters
 bool LocalCompetitionSearch::take(const Aims &aims) {
     for (const Objective &objective : aims.objectives)
         if (objective.value == Objective::Value::novelty)
-            throw InputError("novelty is an objective of search 'nslc' already; state what individuals compete by");
+            throw InputError(
+                "novelty is an objective of search 'nslc' already; state what individuals compete by");
     return ParetoSearch::take(aims);
 }
 

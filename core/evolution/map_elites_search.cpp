@@ -17,7 +17,8 @@ bool MapElitesSearch::take(const Aims &aims) {
     const auto has_range = [](const DescriptorNumber &number) { return number.cells > 0; };
     const auto ranges = std::count_if(aims.descriptor.begin(), aims.descriptor.end(), has_range);
     if (ranges != 0 && ranges != std::ssize(aims.descriptor))
-        throw InputError("search 'map-elites' takes from, to and cells for every number of the descriptor, or for none");
+        throw InputError(
+            "search 'map-elites' takes from, to and cells for every number of the descriptor, or for none");
     if (ranges != 0) ranges_ = aims.descriptor;
     return Search::take(aims);
 }
@@ -105,7 +106,8 @@ void MapElitesSearch::load(const Population &population, std::span<const Archive
         const Evaluation &evaluation = elites.evaluations[i];
         if (!evaluation.valid() || evaluation.behaviour.empty() || evaluation.behaviour.size() != length_)
             reader.refuse("an elite has no niche");
-        if (!ranges_.empty() && length_ != ranges_.size()) reader.refuse("an elite has a niche of another map");
+        if (!ranges_.empty() && length_ != ranges_.size())
+            reader.refuse("an elite has a niche of another map");
         if (niches_.contains(niche_of(evaluation))) reader.refuse("two elites share a niche");
         enter(elites.genomes[i], evaluation);
     }

@@ -39,7 +39,8 @@ std::string searches_for(const Aims &aims, const Parameters &parameters) {
         Aims alone;
         alone.objectives.assign(aims.objectives.begin(), aims.objectives.begin() + 1);
         alone.objectives.front().value = Objective::Value::stated;
-        if (row.make(parameters)->take(alone)) names += (names.empty() ? "" : " and ") + std::string(row.name);
+        if (row.make(parameters)->take(alone))
+            names += (names.empty() ? "" : " and ") + std::string(row.name);
     }
     return names;
 }

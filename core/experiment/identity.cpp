@@ -101,8 +101,8 @@ void add_aims(const Aims &aims, Identity &identity) {
     for (std::size_t i = 0; i < aims.descriptor.size(); ++i) {
         const DescriptorNumber &number = aims.descriptor[i];
         const std::string range = number.cells == 0 ? ""
-                                                    : " " + to_text(number.from) + " to " + to_text(number.to) +
-                                                          " in " + to_text(number.cells);
+                                                    : " " + to_text(number.from) + " to " +
+                                                          to_text(number.to) + " in " + to_text(number.cells);
         add("descriptor", i, number.name + range);
     }
 }

@@ -18,7 +18,9 @@ int fittest(const std::vector<Evaluation> &evaluations) {
 } // namespace
 
 RunState begin(const Spec &spec, std::uint64_t seed, const Workers &workers, const StopRequest &stop) {
-    return {first_population(spec, seed, workers, stop), make_search(spec.search, spec.parameters, spec.aims), {}};
+    return {first_population(spec, seed, workers, stop),
+            make_search(spec.search, spec.parameters, spec.aims),
+            {}};
 }
 
 void run(const Spec &spec, std::uint64_t seed, const Workers &workers, RunState &state,

@@ -28,7 +28,8 @@ void check_names(const std::string &what, const std::vector<std::string> &names)
         check_name(what, *name);
         const char first = name->front();
         if (!((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) || name->size() > 40)
-            throw InputError("the name of " + what + " begins with a letter and has at most 40: '" + *name + "'");
+            throw InputError("the name of " + what + " begins with a letter and has at most 40: '" + *name +
+                             "'");
         if (std::find(names.begin(), name, *name) != name)
             throw InputError("two of the names are '" + *name + "': each names " + what);
     }
@@ -41,10 +42,11 @@ void check_aims(const Aims &aims) {
         numbers.push_back(number.name);
         if (number.cells == 0) continue;
         if (!(number.from < number.to) || !std::isfinite(number.to - number.from))
-            throw InputError("descriptor " + number.name + ": from must be below to, not " + to_text(number.from) +
-                             " and " + to_text(number.to));
+            throw InputError("descriptor " + number.name + ": from must be below to, not " +
+                             to_text(number.from) + " and " + to_text(number.to));
         if (number.cells < 1 || number.cells > 10000)
-            throw InputError("descriptor " + number.name + ": cells is 1 to 10000, not " + to_text(number.cells));
+            throw InputError("descriptor " + number.name + ": cells is 1 to 10000, not " +
+                             to_text(number.cells));
     }
     check_names("an objective", objectives);
     check_names("a number of the descriptor", numbers);

@@ -29,7 +29,7 @@ struct Start {
 /// A function of the judge by what it computes: functions of equal hashes give equal results. A function's text without
 /// comments and layout decides, and whatever it reaches: values, tables, other functions.
 struct FunctionMeaning {
-    std::string name;   // "fitness", "penalty", "behaviour", "start.behaviour"
+    std::string name;   // "fitness", "penalty", "behaviour", "start.behaviour", "objective <name>"
     std::string sha256; // of the meaning
     std::string place;  // "file.lua:12", for messages; no part of the meaning
 };

@@ -16,7 +16,9 @@ namespace planula {
 
 namespace {
 
-bool has_archive(const Spec &spec) { return make_search(spec.search, spec.parameters, spec.aims)->keeps_archive(); }
+bool has_archive(const Spec &spec) {
+    return make_search(spec.search, spec.parameters, spec.aims)->keeps_archive();
+}
 
 /// A damaged checkpoint must not become the one that is kept beside a new one. The files in states/ are kept: the
 /// manifest of a complete run names it.
@@ -55,9 +57,9 @@ void RunWriter::resume(const ResumePoint &point) {
     damaged_ = point.damaged;
     generations_ = spec_.parameters.design.generations;
     if (point.kept) restore(point);
-    tables_ = std::make_unique<RunTables>(folder_, has_archive(spec_),
-                                          [&](std::string_view table) { return point.start_of(table); },
-                                          spec_.aims);
+    tables_ = std::make_unique<RunTables>(
+        folder_, has_archive(spec_), [&](std::string_view table) { return point.start_of(table); },
+        spec_.aims);
     remove_damaged_checkpoints(folder_, point);
 
     // A run that was to be longer may stand before what is its last generation now.

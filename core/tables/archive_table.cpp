@@ -35,7 +35,8 @@ bool is_header(const std::vector<std::string> &header, std::size_t objectives) {
     if (std::equal(header.begin(), end, standard.begin(), standard.end())) return true;
     // A descriptor with names, which begin with letters.
     const auto named = header.begin() + first_behaviour;
-    return std::equal(header.begin(), named, standard.begin()) && std::all_of(named, end, [](const auto &title) {
+    return std::equal(header.begin(), named, standard.begin()) &&
+           std::all_of(named, end, [](const auto &title) {
                return title.starts_with(behaviour_prefix) && title.size() > behaviour_prefix.size() &&
                       !(title[behaviour_prefix.size()] >= '0' && title[behaviour_prefix.size()] <= '9');
            });

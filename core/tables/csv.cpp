@@ -106,9 +106,8 @@ CsvReader::CsvReader(std::filesystem::path path, const std::vector<std::string_v
                    "' and must be '" + std::string(header[i]) + "'");
     // Objectives that an experiment states follow the columns of all others.
     const auto extra = header_.begin() + static_cast<std::ptrdiff_t>(std::min(header.size(), header_.size()));
-    const bool objectives_follow = std::all_of(extra, header_.end(), [](const std::string &title) {
-        return title.starts_with(objective_prefix);
-    });
+    const bool objectives_follow = std::all_of(
+        extra, header_.end(), [](const std::string &title) { return title.starts_with(objective_prefix); });
     if (header_.size() < header.size() || !objectives_follow)
         refuse(to_text(static_cast<int>(header_.size())) + " columns, where there must be " +
                to_text(static_cast<int>(header.size())));

@@ -13,10 +13,10 @@
 #include "statement/wrap_life.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace planula {
 
@@ -48,7 +48,7 @@ struct JudgingFunctions::Verdict {
     Exhausted exhausted = Exhausted::no;
 };
 
-// The three functions in a Lua state of their own.
+// The functions in a Lua state of their own.
 class JudgingFunctions::Functions {
   public:
     Functions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters, Stage stage)
@@ -56,29 +56,33 @@ class JudgingFunctions::Functions {
         const Value &result = lua_.result();
         const Value *settings = result.find("settings");
         const Value &setting = settings ? settings->list.at(static_cast<std::size_t>(index)) : result;
-        for (const auto &[name, reference] :
-             {std::pair{"penalty", &penalty_}, std::pair{"fitness", &fitness_},
-              std::pair{"behaviour", &behaviour_}}) {
-            const bool before = stage == Stage::growth && reference == &behaviour_;
-            const Value *function = before ? setting.find("start")->find(name) : setting.find(name);
-            CHECK(function && function->is(Value::Kind::function), name);
-            *reference = function->function;
-        }
+        const bool grown = stage == Stage::growth;
+        add("penalty", setting.find("penalty"));
+        add("fitness", setting.find("fitness"));
+        add("behaviour", grown ? setting.find("start")->find("behaviour") : setting.find("behaviour"));
+        if (const Value *objectives = setting.find("objectives"); objectives && !grown)
+            for (const Value &objective : objectives->list)
+                if (objective.is(Value::Kind::table))
+                    add("objective " + objective.find("name")->text, objective.find("value"));
+        if (const Value *descriptor = setting.find("descriptor"); descriptor && !grown)
+            numbers_ = descriptor->list.size();
         if (const auto message = lua_.inspect(gate<prepare>, this, limits_of_a_call))
             throw InputError(*message);
-        captures_.emplace(lua_, std::array{penalty_, fitness_, behaviour_});
+        captures_.emplace(lua_, references_);
         interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unchecked);
     }
 
     /// "file:line: " of the function of that name.
     std::string where(std::string_view name) {
         lua_Debug function;
-        lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX,
-                    name == "penalty"   ? penalty_
-                    : name == "fitness" ? fitness_
-                                        : behaviour_);
+        const auto place = std::find(names_.begin(), names_.end(), name) - names_.begin();
+        lua_rawgeti(lua_.raw(), LUA_REGISTRYINDEX, references_.at(static_cast<std::size_t>(place)));
         lua_getinfo(lua_.raw(), ">S", &function);
         return std::string(function.short_src) + ":" + to_text(function.linedefined) + ": ";
+    }
+
+    const std::string &name_of_objective(std::size_t index) const {
+        return names_.at(first_objective + index);
     }
 
     /// The length of the run's behaviours; 0 until one is seen.
@@ -90,9 +94,8 @@ class JudgingFunctions::Functions {
     void check_unchanged() {
         const auto changed = captures_->changed();
         if (!changed) return;
-        constexpr std::array names{"penalty", "fitness", "behaviour"};
-        const bool is_module = *changed == names.size();
-        const std::string name = names[is_module ? 0 : *changed];
+        const bool is_module = *changed == names_.size();
+        const std::string name = names_[is_module ? 0 : *changed];
         throw InputError(where(name) + "what " + (is_module ? "modules hold" : name + " closes over") +
                          " was changed by a judgement" + independence_rule);
     }
@@ -126,15 +129,24 @@ class JudgingFunctions::Functions {
         return 0;
     }
 
+    enum Place { penalty, fitness, behaviour, first_objective }; // among the functions
+
+    void add(const std::string &name, const Value *function) {
+        CHECK(function && function->is(Value::Kind::function), name);
+        names_.push_back(name);
+        references_.push_back(function->function);
+    }
+
     void ask(Verdict &verdict) {
         Evaluation &evaluation = verdict.evaluation;
-        if (!number("penalty", penalty_, nullptr, evaluation.penalty, verdict)) return;
+        if (!number(penalty, nullptr, evaluation.penalty, verdict)) return;
         if (evaluation.penalty > 1) return fail("penalty", "returned a number above 1", verdict);
         if (!evaluation.valid()) return;
-        if (stage_ == Stage::life &&
-            !number("fitness", fitness_, &evaluation.penalty, evaluation.fitness, verdict))
+        if (stage_ == Stage::life && !number(fitness, &evaluation.penalty, evaluation.fitness, verdict))
             return;
         list(evaluation.behaviour, verdict);
+        for (std::size_t i = first_objective; i < names_.size() && verdict.problem.empty(); ++i)
+            number(i, &evaluation.penalty, evaluation.objectives.emplace_back(), verdict);
     }
 
     void fail(const std::string &name, const std::string &what, Verdict &verdict) {
@@ -146,13 +158,14 @@ class JudgingFunctions::Functions {
     }
 
     // Leaves one value on the stack; false if an error was raised.
-    bool call(const std::string &name, int function, const double *penalty, Verdict &verdict) {
+    bool call(std::size_t function, const double *factor, Verdict &verdict) {
         lua_State *L = lua_.raw();
-        lua_rawgeti(L, LUA_REGISTRYINDEX, function);
+        const std::string &name = names_[function];
+        lua_rawgeti(L, LUA_REGISTRYINDEX, references_[function]);
         lua_rawgeti(L, LUA_REGISTRYINDEX, life_);
         lua_rawgeti(L, LUA_REGISTRYINDEX, shown_parameters_);
-        if (penalty) lua_pushnumber(L, *penalty);
-        const auto message = lua_.call(penalty ? 3 : 2, limits_of_a_call);
+        if (factor) lua_pushnumber(L, *factor);
+        const auto message = lua_.call(factor ? 3 : 2, limits_of_a_call);
         if (interval_ == 1 && captures_->changed())
             throw InputError(where(name) + name + " changes what it closes over" + independence_rule);
         if (!message) return true;
@@ -162,11 +175,11 @@ class JudgingFunctions::Functions {
         return false;
     }
 
-    // A finite number, 0 or more.
-    bool number(const std::string &name, int function, const double *penalty, double &result,
-                Verdict &verdict) {
-        if (!call(name, function, penalty, verdict)) return false;
+    // A finite number, 0 or more unless it is an objective's.
+    bool number(std::size_t function, const double *factor, double &result, Verdict &verdict) {
+        if (!call(function, factor, verdict)) return false;
         lua_State *L = lua_.raw();
+        const std::string &name = names_[function];
         const int type = lua_type(L, -1);
         result = lua_tonumber(L, -1);
         lua_pop(L, 1);
@@ -174,13 +187,13 @@ class JudgingFunctions::Functions {
             fail_kind(name, "a number", type, verdict);
         else if (!(std::abs(result) <= largest))
             fail(name, "returned " + to_text(result), verdict);
-        else if (result < 0)
+        else if (result < 0 && function < first_objective)
             fail(name, "returned a number below 0", verdict);
         return verdict.problem.empty();
     }
 
     void list(std::vector<double> &result, Verdict &verdict) {
-        if (!call("behaviour", behaviour_, nullptr, verdict)) return;
+        if (!call(behaviour, nullptr, verdict)) return;
         lua_State *L = lua_.raw();
         const int type = lua_type(L, -1);
         const std::size_t size = type == LUA_TTABLE ? lua_objlen(L, -1) : 0;
@@ -200,6 +213,13 @@ class JudgingFunctions::Functions {
             lua_pop(L, 1);
         }
         lua_pop(L, 1);
+        if (verdict.problem.empty() && numbers_ != 0 && numbers_ != size) {
+            fail("behaviour",
+                 "returned " + to_text(static_cast<int>(size)) + " numbers, and descriptor names " +
+                     to_text(static_cast<int>(numbers_)),
+                 verdict);
+            verdict.wrong_kind = true;
+        }
         // All descriptors of a run have one length: that of the first.
         if (verdict.problem.empty() && length_ == 0) length_ = size;
         if (verdict.problem.empty() && length_ != size)
@@ -213,7 +233,9 @@ class JudgingFunctions::Functions {
     const Parameters parameters_;
     const Stage stage_;
     LifeSlot *slot_ = nullptr;
-    int penalty_ = 0, fitness_ = 0, behaviour_ = 0; // references of lua_
+    std::vector<std::string> names_; // of the functions, as in Place; then of objectives
+    std::vector<int> references_;    // of lua_, of the same
+    std::size_t numbers_ = 0;        // that the descriptor names; 0: it names none
     int life_ = 0, shown_parameters_ = 0;
     std::optional<Captures> captures_;
     int interval_ = 1;
@@ -268,6 +290,8 @@ JudgingFunctions::Verdict JudgingFunctions::judge_twice(const Life &life) {
     if (a.penalty != b.penalty || verdict.problem.empty() != fresh.problem.empty()) differ("penalty");
     if (a.fitness != b.fitness) differ("fitness");
     if (a.behaviour != b.behaviour) differ("behaviour");
+    for (std::size_t i = 0; i < a.objectives.size(); ++i)
+        if (a.objectives[i] != b.objectives[i]) differ(functions_->name_of_objective(i).c_str());
     return verdict;
 }
 

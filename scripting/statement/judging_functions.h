@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The functions of a script that judge the individuals of a setting, three in Lua:
+// The functions of a script that judge the individuals of a setting, in Lua:
 //
 //   penalty(life, parameters)           p of Eq. (6), 0 … 1; 0: the individual is invalid, no other function is called
 //   fitness(life, parameters, penalty)  f of Eq. (4), 0 … 1e100
-//   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100
+//   behaviour(life, parameters)         the descriptor that searches read, a list of 1 … 16 numbers up to ±1e100, as
+//                                       many as the setting's `descriptor` names, if it does
+//   value(life, parameters, penalty)    of each of the setting's `objectives`, a number up to ±1e100
 //
 // The behaviour function of a setting's `start` is called, with the setting's penalty, for individuals that have grown
 // but not moved. Reading what is known only after movement (statement/wrap_life.h) is an error then.

@@ -36,6 +36,8 @@ KEY("parameters", "table", "", "standard values", "ours", "departures from the s
 KEY("fitness", "function", "", "needed", "Eq. 4", "fitness(life, parameters, penalty): a number, 0 or more; what searches maximise", "fitness = function(life) return life.displacement end")
 KEY("penalty", "function", "", "needed", "Eq. 6", "penalty(life, parameters): 0 … 1; 0 means that the individual is invalid", "penalty = function(life) return life.outcome == \"viable\" and 1 or 0 end")
 KEY("behaviour", "function", "", "needed", "§2.7.2", "behaviour(life, parameters): a list of 1 … 16 numbers, the descriptor that searches compare", "behaviour = function(life) return { life.finish.x, life.finish.y } end")
+KEY("objectives", "list of tables and texts", "", "as the search", "0027", "what searches with several objectives aim at: \"nsga2\" at each, \"nslc\" at being better than similar individuals by each; functions of a life, \"fitness\" and \"novelty\"", "objectives = { { name = \"work\", value = function(life) return life.work end, goal = \"minimise\" }, \"fitness\" }")
+KEY("descriptor", "list of tables", "", "numbers without names", "0027", "names the numbers that behaviour returns, in their order, and the range of each in the map of \"map-elites\"", "descriptor = { { name = \"cells\", from = 0, to = 256, cells = 16 } }")
 KEY("start", "table", "", "generation 0 is random", "0016", "how generation 0 is evolved, by growth alone", "start = { generations = 30, behaviour = f }")
 KEY("record", "text", "", "that of the experiment", "0019", "which individuals the setting records: \"full\" or \"sample\"", "record = \"sample\"")
 TABLE_END
@@ -104,6 +106,19 @@ KEY("from", "number", "cell", "open to the left", "0025", "its left side, which 
 KEY("to", "number", "cell", "open to the right", "0025", "its right side, which does not", "to = 2")
 KEY("bottom", "number", "cell", "open below", "0025", "its lower side, which belongs to it", "bottom = -1")
 KEY("top", "number", "cell", "open above", "0025", "its upper side, which does not", "top = 1")
+TABLE_END
+
+TABLE(objective, "objectives[]", "an objective; \"fitness\" and \"novelty\" are stated by these texts alone")
+KEY("name", "text", "", "needed", "0027", "of its columns in tables, which are called objective_<name>: a letter, then letters, digits, '-' and '_', at most 40", "name = \"work\"")
+KEY("value", "function", "", "needed", "0027", "value(life, parameters, penalty): a number within ±1e100", "value = function(life) return life.work end")
+KEY("goal", "text", "", "needed", "0027", "\"maximise\" or \"minimise\"", "goal = \"minimise\"")
+TABLE_END
+
+TABLE(descriptor, "descriptor[]", "one of the numbers that behaviour returns")
+KEY("name", "text", "", "needed", "0027", "of its column in the table of the archive, behaviour_<name>: a letter, then letters, digits, '-' and '_', at most 40", "name = \"cells\"")
+KEY("from", "number", "as the number", "no range", "0027", "where its range begins; what lies outside the range belongs to the niche at its edge", "from = 0")
+KEY("to", "number", "as the number", "no range", "0027", "where its range ends", "to = 256")
+KEY("cells", "whole number", "niches", "no range", "0027", "so many niches of equal width divide the range, 1 to 10000", "cells = 16")
 TABLE_END
 
 TABLE(start, "start", "how generation 0 is evolved before the run: by novelty search on growth alone")

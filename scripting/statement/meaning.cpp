@@ -350,6 +350,10 @@ void Meanings::visit_functions(std::size_t index, const Visit &visit) {
     };
     for (const char *name : {"fitness", "penalty", "behaviour"}) visit_one(&setting, name, name);
     if (const Value *start = setting.find("start")) visit_one(start, "behaviour", "start.behaviour");
+    if (const Value *objectives = setting.find("objectives"))
+        for (const Value &objective : objectives->list)
+            if (objective.is(Value::Kind::table))
+                visit_one(&objective, "value", "objective " + objective.find("name")->text);
 }
 
 std::vector<FunctionMeaning> Meanings::of_setting(std::size_t index) {

@@ -33,7 +33,7 @@ class Meanings {
     explicit Meanings(const Sources &sources);
 
     /// The meaning of the functions of setting `index` (from 0), which must be there: fitness, penalty, behaviour,
-    /// and start.behaviour if it has a start. Throws InputError with the place of a function that closes over more
+    /// start.behaviour if it has a start, and those of its objectives, "objective <name>". Throws InputError with the place of a function that closes over more
     /// than 200000 values or 64 MB of text, or over a value that has no order or content.
     std::vector<FunctionMeaning> of_setting(std::size_t index);
 

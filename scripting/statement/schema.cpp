@@ -7,6 +7,7 @@
 #include "physics/engine.h"
 #include "statement/meaning.h"
 #include "statement/reader.h"
+#include "statement/schema_aims.h"
 #include "statement/schema_course.h"
 #include "statement/schema_environment.h"
 #include "statement/schema_statistics.h"
@@ -132,7 +133,9 @@ class Schema {
         }
         read_phases(reader, lua_, spec, world_places, problems_);
         read_damage(reader, spec, problems_);
-        read_judgement(reader, spec);
+        const std::size_t problems_of_others = problems_.count();
+        spec.aims = read_aims(reader, problems_);
+        read_judgement(reader, problems_.count() == problems_of_others, spec);
         read_start(reader, spec);
         spec.record = recording(reader, record_);
         // Rules between the parts, once each part is right.
@@ -204,9 +207,8 @@ class Schema {
         }
     }
 
-    // The judge of a setting that has all its functions.
-    void read_judgement(Reader &reader, Spec &spec) {
-        bool complete = true;
+    // The judge of a setting that has all its functions; `complete`: those of its objectives.
+    void read_judgement(Reader &reader, bool complete, Spec &spec) {
         for (const std::string_view name : function_names)
             if (!reader.field(std::string(name), Value::Kind::function, true)) complete = false;
         spec.judge = [](const Life &) { return Evaluation{}; };

@@ -8,6 +8,7 @@
 // - environment: {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y}, actuation_range}
 // - parameters: {name = value}, departures from the standard values
 // - fitness, penalty, behaviour: functions (statement/judging_functions.h)
+// - objectives, descriptor: what the search aims at (statement/schema_aims.h)
 // - start: {generations, behaviour}, if generation 0 is evolved by growth alone (experiment/start.h)
 // - record: "full" (if not given) or "sample": how many individuals a run records (experiment/sample.h)
 // - statistics: a table, or the name of a module that returns one (statement/schema_statistics.h)

@@ -50,6 +50,26 @@ BOOST_AUTO_TEST_CASE(competition_is_with_the_nearest_alive_or_archived) {
     BOOST_TEST(objectives[5].empty());
 }
 
+BOOST_AUTO_TEST_CASE(competition_is_by_each_stated_objective) {
+    using enum Objective::Value;
+    using enum Objective::Goal;
+    const Parameters parameters = of(3, 2);
+    LocalCompetitionSearch search(parameters);
+    BOOST_TEST(search.take({{{"work", stated, minimise}, {"fitness", fitness, maximise}}, {}}));
+    NoveltyArchive archive(parameters.novelty);
+    Innovations innovations(3);
+    Elites pool;
+    const std::vector<Evaluation> evaluations{{5, {0}, 1, {2}}, {3, {1}, 1, {1}}, {4, {3}, 1, {9}}};
+    for (std::size_t i = 0; i < evaluations.size(); ++i)
+        pool.add(populations::with_weight(static_cast<double>(i), innovations), evaluations[i]);
+    const auto objectives = search.objectives(pool, archive.neighbours(pool.evaluations), archive);
+    for (const Objectives &each : objectives) BOOST_TEST(each.size() == 4u);
+    // The neighbours that it beats by less work, and those by more fitness.
+    BOOST_TEST((objectives[0][1] == 1 && objectives[0][2] == 2));
+    BOOST_TEST((objectives[1][1] == 2 && objectives[1][2] == 0));
+    BOOST_TEST((objectives[2][1] == 0 && objectives[2][2] == 1));
+}
+
 BOOST_AUTO_TEST_CASE(within_a_front_the_most_distant_genotypes_come_first) {
     const std::vector<Objectives> objectives{{1, 2, 0.5}, {2, 1, 3}, {3, 0, 2}};
     const LocalCompetitionSearch search(of(3, 1));

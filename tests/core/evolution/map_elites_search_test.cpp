@@ -53,6 +53,29 @@ BOOST_AUTO_TEST_CASE(each_niche_keeps_its_fittest_and_scores_are_what_they_add) 
     BOOST_TEST(sum == 8.5);
 }
 
+BOOST_AUTO_TEST_CASE(stated_ranges_bound_the_map) {
+    MapElitesSearch search(of(2, 1));
+    BOOST_TEST(search.take({{}, {{"size", 0, 10, 2}, {"turn", -1, 1, 4}}}));
+    // In the first niche three times, the last of them from below both ranges; and in the last, from above.
+    search.score(
+        numbered(5, 0),
+        std::vector<Evaluation>{
+            {1, {4, -0.9}, 1}, {2, {0, -1}, 1}, {3, {-7, -50}, 1}, {1, {10, 1}, 1}, {2, {1e9, 0.51}, 1}});
+    BOOST_TEST(ids(search.elites()) == (Ids{2, 4}), per_element());
+    BOOST_CHECK_THROW(search.score(numbered(1, 5), std::vector<Evaluation>{{1, {1}, 1}}), InputError);
+
+    MapElitesSearch other(of(2, 1));
+    other.take({{}, {{"size", 0, 10, 2}}});
+    BOOST_CHECK_THROW(other.score(numbered(1, 0), std::vector<Evaluation>{{1, {1, 2}, 1}}), InputError);
+    BOOST_CHECK_THROW(other.take({{}, {{"size", 0, 10, 2}, {"turn"}}}), InputError);
+    BOOST_TEST(!other.take({{{"work"}}, {}}));
+    // Names alone leave the grid as it is.
+    MapElitesSearch grid(of(2, 1));
+    BOOST_TEST(grid.take({{}, {{"size"}, {"turn"}}}));
+    grid.score(numbered(2, 0), std::vector<Evaluation>{{1, {400, 3}, 1}, {1, {401, 3}, 1}});
+    BOOST_TEST(grid.elites().size() == 2u);
+}
+
 BOOST_AUTO_TEST_CASE(zero_is_one_edge_from_either_side) {
     MapElitesSearch search(of(2, 1));
     search.score(numbered(2, 0), std::vector<Evaluation>{{1, {-0.0}, 1}, {2, {0.0}, 1}});

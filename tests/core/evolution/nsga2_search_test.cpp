@@ -2,10 +2,14 @@
 // The tests that every search passes are in search_test.cpp.
 #include "evolution/nsga2_search.h"
 
+#include "base/error.h"
 #include "core/evolution/toy_run.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace planula;
@@ -18,6 +22,35 @@ Parameters of(int population, int k = 1) {
     parameters.neat.population = population;
     parameters.novelty.novelty_neighbours = k;
     return parameters;
+}
+
+/// Two functions to be minimised.
+Aims both() {
+    using enum Objective::Value;
+    using enum Objective::Goal;
+    return {{{"first", stated, minimise}, {"second", stated, minimise}}, {}};
+}
+
+double sum_of(const Genome &genome) {
+    double sum = 0;
+    for (const LinkGene &link : genome.links) sum += link.weight;
+    return sum;
+}
+
+/// SCH: x² and (x − 2)², whose front is 0 … 2 (Schaffer 1985; Deb et al. 2002, table I).
+Evaluation schaffer(const Genome &genome) {
+    const double x = sum_of(genome);
+    return {0, {x}, 1, {x * x, (x - 2) * (x - 2)}};
+}
+
+/// ZDT1 of as many variables as there are weights (Zitzler, Deb & Thiele 2000): each is a weight over 8 without its
+/// sign. On the front all but the first are 0, and f2 = 1 − √f1.
+Evaluation zdt1(const Genome &genome) {
+    const auto variable = [&](std::size_t i) { return std::abs(genome.links[i].weight) / 8; };
+    double sum = 0;
+    for (std::size_t i = 1; i < genome.links.size(); ++i) sum += variable(i);
+    const double g = 1 + 9 * sum / static_cast<double>(genome.links.size() - 1), first = variable(0);
+    return {0, {first}, 1, {first, g * (1 - std::sqrt(first / g))}};
 }
 
 } // namespace
@@ -110,4 +143,82 @@ BOOST_AUTO_TEST_CASE(the_front_of_a_known_problem_is_approached_and_kept) {
     }
     BOOST_TEST(best > 99.9);
     BOOST_TEST(widest > 5);
+}
+
+BOOST_AUTO_TEST_CASE(stated_objectives_take_the_place_of_fitness_and_novelty) {
+    Aims aims = both();
+    aims.objectives.push_back({"novelty", Objective::Value::novelty, Objective::Goal::maximise});
+    Nsga2Search search(of(3));
+    BOOST_TEST(search.take(aims));
+    Elites pool;
+    pool.add(Genome(), {7, {0}, 0.5, {3, -4}});
+    pool.add(Genome(), {3, {4}, 0, {}});
+    const auto objectives = search.objectives(pool, {{{4, 1}}, {}}, NoveltyArchive(of(3).novelty));
+    BOOST_TEST(objectives[0] == (Objectives{-3, 4, 1}), per_element());
+    BOOST_TEST(objectives[1].empty());
+}
+
+BOOST_AUTO_TEST_CASE(the_front_of_schaffers_problem_is_found_and_spread_over) {
+    ToyRun run("nsga2", of(40, 5), 1, schaffer, both());
+    run.steps(40);
+    std::vector<double> front;
+    for (const Evaluation &evaluation : dynamic_cast<const Nsga2Search &>(*run.search).kept().evaluations)
+        front.push_back(evaluation.behaviour[0]);
+    std::sort(front.begin(), front.end());
+    BOOST_TEST(front.size() == 40u);
+    BOOST_TEST(front.front() > -0.02);
+    BOOST_TEST(front.front() < 0.1);
+    BOOST_TEST(front.back() > 1.9);
+    BOOST_TEST(front.back() < 2.02);
+    double widest = 0;
+    for (std::size_t i = 1; i < front.size(); ++i) widest = std::max(widest, front[i] - front[i - 1]);
+    BOOST_TEST(widest < 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(the_front_of_zdt1_is_found) {
+    Parameters parameters = of(60, 5);
+    parameters.neat.add_node_rate = parameters.neat.add_link_rate = parameters.neat.remove_link_rate = 0;
+    ToyRun run("nsga2", parameters, 1, zdt1, both());
+    run.steps(100);
+    double above = 0, least = 1, most = 0;
+    const Elites &kept = dynamic_cast<const Nsga2Search &>(*run.search).kept();
+    for (const Evaluation &evaluation : kept.evaluations) {
+        const double first = evaluation.objectives[0];
+        above += (evaluation.objectives[1] - (1 - std::sqrt(first))) / static_cast<double>(kept.size());
+        least = std::min(least, first), most = std::max(most, first);
+    }
+    BOOST_TEST(above < 0.05);
+    BOOST_TEST(above > -1e-9); // nothing lies beyond the front
+    BOOST_TEST(least < 0.05);
+    BOOST_TEST(most > 0.8);
+}
+
+BOOST_AUTO_TEST_CASE(a_search_with_objectives_resumes_as_if_it_had_not_been_stopped) {
+    ToyRun through("nsga2", of(20, 5), 5, schaffer, both()), stopped("nsga2", of(20, 5), 5, schaffer, both());
+    through.steps(4);
+    stopped.steps(4);
+    StateWriter writer;
+    stopped.search->save(stopped.population, writer);
+    const std::vector<ArchiveEntry> archive(stopped.search->archive().begin(),
+                                            stopped.search->archive().end());
+    BOOST_TEST(archive.front().objectives.size() == 2u);
+    stopped.search = make_search("nsga2", stopped.parameters, both());
+    StateReader reader(writer.bytes());
+    stopped.search->load(stopped.population, archive, reader);
+    reader.done();
+    BOOST_TEST((stopped.steps(6) == through.steps(6)));
+    // The state of a run without objectives is another one.
+    const auto other = make_search("nsga2", stopped.parameters);
+    StateReader again(writer.bytes());
+    BOOST_CHECK_THROW(other->load(stopped.population, archive, again), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(an_objective_that_is_no_number_is_refused) {
+    ToyRun run(
+        "nsga2", of(4, 1), 1,
+        [](const Genome &) {
+            return Evaluation{1, {0}, 1, {1, std::numeric_limits<double>::quiet_NaN()}};
+        },
+        both());
+    BOOST_CHECK_THROW(run.step(), InputError);
 }

@@ -82,6 +82,24 @@ BOOST_AUTO_TEST_CASE(an_error_about_an_unknown_name_suggests_the_nearest_or_list
     for (const auto name : search_names()) BOOST_TEST(message.find(name) != message.npos);
 }
 
+BOOST_AUTO_TEST_CASE(objectives_for_a_search_that_reads_none_are_refused) {
+    const Aims aims{{{"work"}}, {}};
+    for (const auto name : {"neat", "novelty", "map-elites"}) {
+        std::string message;
+        try {
+            make_search(name, Parameters(), aims);
+        } catch (const InputError &error) {
+            message = error.what();
+        }
+        BOOST_TEST(message == "search '" + std::string(name) +
+                                  "' reads no objectives, but fitness; nsga2 and nslc read them");
+    }
+    for (const auto name : {"nsga2", "nslc"}) BOOST_CHECK_NO_THROW(make_search(name, Parameters(), aims));
+    const Aims novelty{{{"novelty", Objective::Value::novelty, {}}}, {}};
+    BOOST_CHECK_NO_THROW(make_search("nsga2", Parameters(), novelty));
+    BOOST_CHECK_THROW(make_search("nslc", Parameters(), novelty), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(every_search_keeps_its_generations_whole) {
     for (const auto name : search_names()) BOOST_TEST_CONTEXT(name) {
             ToyRun run(name, of(30), 1);

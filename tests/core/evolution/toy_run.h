@@ -42,8 +42,9 @@ inline Evaluation by_weights(const Genome &genome) {
 }
 
 struct ToyRun {
-    ToyRun(std::string_view name, const Parameters &p, std::uint64_t seed_, Judgement judge_ = by_weights)
-        : parameters(p), seed(seed_), judge(std::move(judge_)), search(make_search(name, p)),
+    ToyRun(std::string_view name, const Parameters &p, std::uint64_t seed_, Judgement judge_ = by_weights,
+           const Aims &aims = {})
+        : parameters(p), seed(seed_), judge(std::move(judge_)), search(make_search(name, p, aims)),
           population(initial_population(shape, p.neat, seed_)) {}
 
     /// Scores this generation and makes the next.

@@ -148,8 +148,8 @@ BOOST_AUTO_TEST_CASE(every_field_of_population_and_species_is_in_the_digest) {
 BOOST_AUTO_TEST_CASE(every_field_of_an_evaluation_and_of_a_generation_is_in_the_digest) {
     Made made;
     for (Evaluation &evaluation : made.evaluations) {
-        auto &[fitness, behaviour, penalty] = evaluation;
-        change_each(made, fitness, behaviour, penalty);
+        auto &[fitness, behaviour, penalty, objectives] = evaluation;
+        change_each(made, fitness, behaviour, penalty, objectives);
     }
     change_each(made, made.evaluations, made.scores, made.best, made.number, made.search.threshold);
 }
@@ -158,8 +158,8 @@ BOOST_AUTO_TEST_CASE(the_digest_has_the_new_entries_of_the_archive_and_the_numbe
     Made made;
     change(made, made.search.entries);
     for (std::size_t i = 1; i < 3; ++i) {
-        auto &[generation, genome, behaviour, novelty, fitness] = made.search.entries[i];
-        change_each(made, generation, genome, behaviour, novelty, fitness);
+        auto &[generation, genome, behaviour, novelty, fitness, objectives] = made.search.entries[i];
+        change_each(made, generation, genome, behaviour, novelty, fitness, objectives);
     }
     // An entry of generation 6 is in the digest of that.
     const std::string before = made.digest();

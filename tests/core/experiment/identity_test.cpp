@@ -173,6 +173,18 @@ BOOST_AUTO_TEST_CASE(names_places_and_lengths_are_not_in_the_identity) {
     BOOST_TEST(changed([](Spec &s) { s.judge = [](const Life &) { return Evaluation{}; }; }).empty());
 }
 
+BOOST_AUTO_TEST_CASE(aims_are_in_the_identity_where_they_are_stated) {
+    using enum Objective::Value;
+    const auto with = [](Objective::Goal goal, double to) {
+        return [=](Spec &s) { s.aims = {{{"work", stated, goal}}, {{"size", 0, to, 4}}}; };
+    };
+    const auto lines = changed(with(Objective::Goal::minimise, 10));
+    BOOST_REQUIRE(lines.size() == 2u);
+    BOOST_TEST(lines[0] == "objective 1: recorded with nothing, asked for with minimise work");
+    BOOST_TEST(lines[1] == "descriptor 1: recorded with nothing, asked for with size 0 to 10 in 4");
+    BOOST_TEST(changed([](Spec &s) { s.aims = {{}, {{"size"}}}; }).size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(functions_are_compared_by_meaning_and_named_with_their_places) {
     BOOST_TEST(change_of([](Spec &s) {
                    s.judgement[0] = {"fitness", hash_b, "b.lua:5"};

@@ -82,6 +82,26 @@ BOOST_AUTO_TEST_CASE(every_table_is_published_under_its_header) {
     BOOST_TEST(header("chain.csv") == header_line<ChainRow>());
 }
 
+BOOST_AUTO_TEST_CASE(objectives_that_are_stated_end_the_rows_of_individuals) {
+    Spec spec = fake_spec("osc", 1, 4, "nsga2");
+    const std::string bare = rows_of(spec, true)[place_of(IndividualRow::file_name)];
+    spec.aims = {{{"work", Objective::Value::stated, {}}, {"fitness", Objective::Value::fitness, {}}}, {}};
+    const RowTexts rows = rows_of(spec, true);
+    // The generation of this test has none, as individuals that are not valid.
+    BOOST_TEST(first_line(rows[place_of(IndividualRow::file_name)]) ==
+               first_line(bare).substr(0, first_line(bare).size() - 1) + ",\n");
+    const TemporaryFolder folder;
+    RunTables tables(
+        folder.path(), true, [](std::string_view) { return JournalStart{}; }, spec.aims);
+    tables.write(rows);
+    tables.publish();
+    const std::string header = first_line(read_file(folder / "individuals.csv.gz"));
+    BOOST_TEST(header.ends_with("hidden,objective_work\n"), header);
+    TableReader<IndividualRow> reader(folder.path());
+    IndividualRow row;
+    BOOST_TEST(reader.next(row));
+}
+
 BOOST_AUTO_TEST_CASE(the_header_of_an_archive_is_that_of_its_first_entry) {
     for (const std::size_t length : {1u, 2u, 5u}) {
         const TemporaryFolder folder;

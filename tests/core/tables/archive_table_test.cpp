@@ -55,6 +55,23 @@ BOOST_AUTO_TEST_CASE(two_numbers_are_x_and_y_and_others_are_counted) {
     BOOST_TEST(archive_line({3, 4, {0.5, 6}, 7, 8}) == "3,4,8,7,0.5,6\n");
 }
 
+BOOST_AUTO_TEST_CASE(names_and_objectives_are_columns_and_read_back) {
+    using enum Objective::Value;
+    const Aims aims{{{"work", stated, {}}, {"fitness", fitness, {}}, {"far", stated, {}}},
+                    {{"size"}, {"turn"}, {"x2"}}};
+    const std::string header = "generation,genome,fitness,novelty_or_gain,behaviour_size,behaviour_turn,"
+                               "behaviour_x2,objective_work,objective_far\n";
+    BOOST_TEST(archive_header(2, aims) == header);
+    const ArchiveEntry entry{3, 4, {0.5, 6, 9}, 7, 8, {-1, 2}};
+    BOOST_TEST(archive_line(entry) == "3,4,8,7,0.5,6,9,-1,2\n");
+    const TemporaryFolder folder;
+    write_file(folder / "archive.csv.gz", header + archive_line(entry));
+    BOOST_TEST((read_archive(folder.path()) == std::vector{entry}));
+    const ArchiveEntry unnamed{3, 4, {0.5, 6}, 7, 8, {-1, 2}};
+    write_file(folder / "archive.csv.gz", archive_header(2, {aims.objectives, {}}) + archive_line(unnamed));
+    BOOST_TEST((read_archive(folder.path()) == std::vector{unnamed}));
+}
+
 BOOST_AUTO_TEST_CASE(a_foreign_header_is_refused) {
     const TemporaryFolder folder;
     for (const char *header :

@@ -82,6 +82,31 @@ BOOST_AUTO_TEST_CASE(what_a_life_was_not_asked_for_cannot_be_read) {
                false);
 }
 
+BOOST_AUTO_TEST_CASE(objectives_are_judged_in_their_order_and_may_be_negative) {
+    const std::string rest =
+        "behaviour = function(life) return { life.cells } end, search = 'nsga2', objectives = {\n"
+        "{ name = 'left', goal = 'maximise', value = function(life) return -life.finish.x end },\n"
+        "'fitness',\n"
+        "{ name = 'odd', goal = 'minimise', value = function(life, p, penalty)\n"
+        "if life.finish.x > 5 then return 0/0 end return penalty end } }";
+    JudgingFunctions functions(with(rest), 0, {});
+    BOOST_TEST((functions.judge(life_at(3)).objectives == std::vector<double>{-3, 1}));
+    BOOST_TEST((functions.judge(life_at(8)) == Evaluation{}));
+    BOOST_TEST(functions.invalid() == 1);
+    BOOST_TEST(test::contains(functions.first_problem(), "test.lua:7: objective odd returned "),
+               functions.first_problem());
+    BOOST_TEST(
+        test::contains(trial("search = 'nsga2', objectives = { { name = 'odd', goal = 'minimise', value = "
+                             "function() return 'x' end } }"),
+                       "test.lua:4: objective odd returned string, not a number"));
+}
+
+BOOST_AUTO_TEST_CASE(a_descriptor_names_as_many_numbers_as_behaviour_returns) {
+    BOOST_TEST(test::contains(trial("descriptor = { { name = 'size' } }"),
+                              "behaviour returned 2 numbers, and descriptor names 1"));
+    BOOST_TEST(trial("descriptor = { { name = 'x' }, { name = 'y' } }") == "");
+}
+
 BOOST_AUTO_TEST_CASE(a_function_sees_the_parameters_of_its_setting) {
     BOOST_TEST(fitness_of("parameters.cell_limit") == 256);
     BOOST_TEST(fitness_of("parameters.gait_time == 'held' and 1 or 0") == 1);

@@ -364,6 +364,67 @@ BOOST_AUTO_TEST_CASE(a_bad_start_is_refused_on_its_line) {
     BOOST_TEST(test::contains(start("generation = 2, " + behaviour), "did you mean 'generations'?"));
 }
 
+BOOST_AUTO_TEST_CASE(objectives_and_descriptor_are_stated_as_lists) {
+    const Experiment e = experiment(
+        "return paper.experiment { name = 'x', search = 'nsga2', objectives = {\n"
+        "{ name = 'distance', value = function(life) return life.displacement end, goal = 'maximise' },\n"
+        "{ name = 'work', value = function(life) return life.work end, goal = 'minimise' }, 'novelty' },\n"
+        "descriptor = { { name = 'x', from = -10, to = 10, cells = 5 }, { name = 'y', from = 0, to = 1, "
+        "cells = 2 } } }");
+    const Spec &spec = e.settings[0];
+    BOOST_REQUIRE(spec.aims.objectives.size() == 3u);
+    BOOST_TEST(spec.aims.objectives[1].name == "work");
+    BOOST_TEST((spec.aims.objectives[1].goal == Objective::Goal::minimise));
+    BOOST_TEST((spec.aims.objectives[2].value == Objective::Value::novelty));
+    BOOST_TEST((spec.aims.descriptor[0].from == -10 && spec.aims.descriptor[0].cells == 5));
+    BOOST_TEST(spec.observed.has(Observation::work));
+    BOOST_TEST(spec.judgement.back().name == "objective work");
+    BOOST_TEST(spec.judgement.back().place == "test.lua:4");
+}
+
+BOOST_AUTO_TEST_CASE(bad_objectives_are_refused_on_their_lines) {
+    const std::string far = "name = 'far', value = function(life) return life.displacement end";
+    const auto refused_list = [&](const std::string &list, const std::string &search = "nsga2") {
+        return refused_body("search = '" + search + "', objectives =\n{ " + list + " }");
+    };
+    const auto says = [&](const std::string &list, const std::string &message) {
+        BOOST_TEST(test::contains(refused_list(list), message), refused_list(list));
+    };
+    says("{ " + far + ", goal = 'maximize' }",
+         "test.lua:4: objectives[1].goal: 'maximize' is not one of maximise, minimise");
+    says("{ " + far + " }", "objectives[1].goal is missing");
+    says("{ name = 'far', goal = 'maximise' }", "objectives[1].value is missing");
+    says("{ name = 'far', goal = 'maximise', value = 7 }", "objectives[1].value must be a function");
+    says("{ " + far + ", goal = 'maximise', aim = 1 }", "objectives[1] has no 'aim'");
+    says("'novelti'", "'novelti' is not one of fitness, novelty; did you mean 'novelty'?");
+    says("7", "objectives[1] must be a table { name =, value =, goal = }, \"fitness\" or \"novelty\", not a "
+              "number");
+    says("", "objectives is empty");
+    says("{ " + far + ", goal = 'maximise' }, { " + far + ", goal = 'minimise' }",
+         "two of the names are 'far'");
+    says("{ name = '2 far', value = function() return 1 end, goal = 'maximise' }",
+         "the name of an objective");
+    BOOST_TEST(test::contains(refused_list("{ " + far + ", goal = 'maximise' }", "neat"),
+                              "search 'neat' reads no objectives, but fitness; nsga2 and nslc read them"));
+}
+
+BOOST_AUTO_TEST_CASE(bad_descriptors_are_refused_on_their_lines) {
+    const auto says = [&](const std::string &list, const std::string &message) {
+        const std::string text = refused_body("search = 'map-elites', descriptor =\n{ " + list + " }");
+        BOOST_TEST(test::contains(text, message), text);
+    };
+    says("{ name = 'x', from = 0, to = 1 }, { name = 'y' }",
+         "test.lua:4: descriptor[1]: from, to and cells go together");
+    says("{ name = 'x', from = 1, to = 1, cells = 3 }, { name = 'y', from = 0, to = 1, cells = 1 }",
+         "descriptor x: from must be below to, not 1 and 1");
+    says("{ name = 'x', from = 0, to = 1, cells = 0 }, { name = 'y' }", "cells is 1 to 10000");
+    says("{ name = 'x', from = 0, to = 1, cells = 20000 }, { name = 'y', from = 0, to = 1, cells = 1 }",
+         "cells is 1 to 10000, not 20000");
+    says("{ name = 'x', from = 0, to = 1, cells = 2 }, { name = 'y' }",
+         "for every number of the descriptor, or for none");
+    says("'x'", "descriptor[1] must be a table");
+}
+
 BOOST_AUTO_TEST_CASE(a_setting_observes_what_its_functions_name) {
     const auto observed = [](const std::string &fitness, const std::string &before = "") {
         return experiment(before + "\nreturn paper.experiment { name = 'x', fitness = " + fitness + " }")
