@@ -100,10 +100,12 @@ void add_aims(const Aims &aims, Identity &identity) {
         add("objective", i, std::string(name_of(aims.objectives[i].goal)) + " " + aims.objectives[i].name);
     for (std::size_t i = 0; i < aims.descriptor.size(); ++i) {
         const DescriptorNumber &number = aims.descriptor[i];
-        const std::string range = number.cells == 0 ? ""
-                                                    : " " + to_text(number.from) + " to " +
-                                                          to_text(number.to) + " in " + to_text(number.cells);
-        add("descriptor", i, number.name + range);
+        std::string text = number.name;
+        if (number.cells > 0) {
+            text.append(" ").append(to_text(number.from)).append(" to ").append(to_text(number.to));
+            text.append(" in ").append(to_text(number.cells));
+        }
+        add("descriptor", i, text);
     }
 }
 
