@@ -3,7 +3,7 @@
 -- muscles per cell and per distance. Unlike `activity` it means the same for oscillators and gene networks.
 local paper = require "paper"
 
-local free = 0.1 -- work per cell and distance that costs nothing, so that a body which only drifts scores no infinity
+local free = 10 -- work per cell and distance that costs nothing, so that a body which only drifts scores no infinity
 
 local function fitness(life, parameters, penalty)
   local distance = life.displacement
