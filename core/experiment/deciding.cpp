@@ -54,6 +54,8 @@ std::string why_search_does_not_read(const ParameterRow &row, const Spec &spec) 
     if (row.section == "Novelty search" && measures_no_novelty(spec))
         return of_search(spec, "measures no novelty");
     if (row.section == "MAP-Elites" && keeps_no_map(spec)) return of_search(spec, "keeps no map");
+    if (row.name == "niche_width" && !spec.aims.descriptor.empty() && spec.aims.descriptor.front().cells > 0)
+        return "its descriptor states the ranges of its map";
     return "";
 }
 

@@ -171,6 +171,9 @@ void Comparison::add_evolution(std::size_t index, std::vector<Departure> &found)
             searches.push_back(setting.search);
     if (std::find(searches.begin(), searches.end(), spec.search) == searches.end())
         found.push_back({"search", "search", spec.search, list_of(searches), "", "", {}});
+    for (const IdentityItem &item : identity_of(spec, 0).items)
+        if (item.key.starts_with("objective ") || item.key.starts_with("descriptor "))
+            found.push_back({"search", item.key, item.value, "none", "", "", {}});
     if (spec.engine != paper.engine)
         found.push_back({"engine", "engine", spec.engine, paper.engine, "", "", {}});
     if (start_text(spec) != start_text(paper))

@@ -176,6 +176,21 @@ class SettingTrial {
             warn(place_of_function("fitness"),
                  "fitness is " + to_text(fitness) + " for " + all + ": it tells nobody apart");
         if (stage_ == Stage::growth || reads_behaviour(spec_)) report_constant_behaviour(all);
+        report_constant_objectives(all);
+    }
+
+    void report_constant_objectives(const std::string &all) {
+        std::size_t i = 0;
+        for (const Objective &objective : spec_.aims.objectives) {
+            if (stage_ == Stage::growth || objective.value != Objective::Value::stated) continue;
+            const double first = valid_.front().objectives[i];
+            if (std::all_of(valid_.begin(), valid_.end(),
+                            [&](const Evaluation &e) { return e.objectives[i] == first; }))
+                warn(place_of_function("objective " + objective.name), "objective " + objective.name +
+                                                                           " is " + to_text(first) + " for " +
+                                                                           all + ": it tells nobody apart");
+            ++i;
+        }
     }
 
     void report_constant_behaviour(const std::string &all) {

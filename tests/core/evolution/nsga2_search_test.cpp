@@ -43,10 +43,10 @@ Evaluation schaffer(const Genome &genome) {
     return {0, {x}, 1, {x * x, (x - 2) * (x - 2)}};
 }
 
-/// ZDT1 of as many variables as there are weights (Zitzler, Deb & Thiele 2000): each is a weight over 8 without its
-/// sign. On the front all but the first are 0, and f2 = 1 − √f1.
+/// ZDT1 of as many variables as there are weights (Zitzler, Deb & Thiele 2000): each is half a weight without its
+/// sign, at most 1. On the front all but the first are 0, and f2 = 1 − √f1.
 Evaluation zdt1(const Genome &genome) {
-    const auto variable = [&](std::size_t i) { return std::abs(genome.links[i].weight) / 8; };
+    const auto variable = [&](std::size_t i) { return std::min(1.0, std::abs(genome.links[i].weight) / 2); };
     double sum = 0;
     for (std::size_t i = 1; i < genome.links.size(); ++i) sum += variable(i);
     const double g = 1 + 9 * sum / static_cast<double>(genome.links.size() - 1), first = variable(0);
