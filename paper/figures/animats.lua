@@ -124,27 +124,21 @@ function animats.draw(on, frame, x0, y0, scale, colour, springs)
   end
 end
 
--- The part of a line between two x.
-local function clipped(points, left, right)
-  local part = {}
-  for i = 2, #points do
-    local a, b = points[i - 1], points[i]
-    local from, to = math.max(a[1], left), math.min(b[1], right)
-    if from < to then
-      local function at(x) return { x, a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) } end
-      if #part == 0 then part[1] = at(from) end
-      part[#part + 1] = at(to)
-    end
-  end
-  return part
+-- The part of a piece of a line between two x, as its ends; nil if there is none.
+local function clipped(a, b, left, right)
+  if a[1] > b[1] then a, b = b, a end
+  if b[1] < left or a[1] > right then return nil end
+  local function at(x) return { x, a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) } end
+  return a[1] < left and at(left) or a, b[1] > right and at(right) or b
 end
 
 -- Draws the terrain between two x, with its origin at (x0, y0).
 function animats.draw_terrain(on, one, x0, y0, scale, left, right)
   for _, line in ipairs(one.terrain) do
-    local points = {}
-    for _, point in ipairs(clipped(line, left, right)) do points[#points + 1] = { x0 + scale * point[1], y0 + scale * point[2] } end
-    on:polyline(points, 'ground')
+    for i = 2, #line do
+      local a, b = clipped(line[i - 1], line[i], left, right)
+      if a then on:line(x0 + scale * a[1], y0 + scale * a[2], x0 + scale * b[1], y0 + scale * b[2], 'ground') end
+    end
   end
 end
 
