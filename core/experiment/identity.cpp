@@ -42,7 +42,7 @@ std::string regions_text(const std::vector<Region> &regions) {
         if (flow) numbers.number(flow->x).number(flow->y);
         if (buoyancy) numbers.number(*buoyancy);
     }
-    return counted(regions.size(), "regions", numbers);
+    return counted(regions.size(), regions.size() == 1 ? "region" : "regions", numbers);
 }
 
 std::string current_text(const Current &current) {
