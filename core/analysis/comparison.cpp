@@ -76,8 +76,8 @@ void read(std::vector<SettingRuns> &settings, int generations, const ComparisonP
     parallel_for(static_cast<int>(tasks.size()), std::min(hardware_threads(), most_threads), [&](int i) {
         const auto &[setting, run] = tasks[static_cast<std::size_t>(i)];
         check_files(setting->runs[run]);
-        setting->histories[run] = read_history(setting->runs[run], std::span(&generations, 1),
-                                               Analysis().fitness_classes, plan.direction_distance);
+        setting->histories[run] = read_history(setting->runs[run], generations, Analysis().fitness_classes,
+                                               plan.direction_distance);
     });
 }
 
@@ -87,7 +87,7 @@ Values add_runs(const SettingRuns &setting, const Contender &contender, const Me
     const std::vector<RunRow> rows = run_rows(setting);
     Values values;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Maybe value = measured(measure, rows[i], setting.histories[i].last);
+        const Maybe value = measured(measure, rows[i], setting.histories[i].generations.back());
         result.runs.push_back({.measure = measure.name,
                                .unit = measure.unit,
                                .generations = setting.generations,
