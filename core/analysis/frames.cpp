@@ -88,17 +88,17 @@ class FrameTables {
     explicit FrameTables(const std::filesystem::path &out)
         : frames_(out), cells_(out), links_(out), paths_(out), terrain_(out), morphologies_(out) {}
 
-    /// Writes one picture; `signal` may be empty for all cells at rest.
+    /// Writes one picture; `signal` may be empty for all cells at rest. The first `own` cells are the animat's.
     void draw(const FrameRow &frame, std::span<const Vec2d> cells, std::span<const double> signal,
-              std::span<const Link> links, std::span<const OutlineLink> rim) {
+              std::span<const Link> links, std::span<const OutlineLink> rim, std::size_t own) {
         FrameRow row = frame;
-        const Vec2d centre = centre_of_mass(cells);
-        row.cells = static_cast<int>(cells.size());
+        const Vec2d centre = centre_of_mass(cells.first(own));
+        row.cells = static_cast<int>(own);
         row.centre_x = centre.x, row.centre_y = centre.y;
         frames_.write(row);
         for (std::size_t i = 0; i < cells.size(); ++i)
             cells_.write({row.setting, row.rank, row.stage, row.frame, static_cast<int>(i), cells[i].x,
-                          cells[i].y, signal.empty() ? 0 : signal[i]});
+                          cells[i].y, i < signal.size() ? signal[i] : 0});
         std::set<Link> outer;
         for (const OutlineLink &link : rim)
             outer.insert({std::min(link.a, link.b), std::max(link.a, link.b)});
@@ -136,7 +136,7 @@ class FrameWatcher {
         : spec_(spec), rank_(rank), tables_(tables), growth_(growth_steps(spec.parameters)),
           gait_(gait_steps(spec.parameters)), path_(path_steps(spec.parameters)) {
         // The first picture is the zygote, before its first decision (decision 0003).
-        tables_.draw(frame("growth", 0, 0), positions(zygote(0)), {}, {}, {});
+        tables_.draw(frame("growth", 0, 0), positions(zygote(0)), {}, {}, {}, 1);
     }
 
     Watch watch() {
@@ -145,50 +145,73 @@ class FrameWatcher {
             for (int i = 1; i < frames_per_stage; ++i)
                 if (growth_[i] == step) draw_embryo(i, step, cells);
         };
-        watch.born = [this](const Body &body) { body_ = body; };
+        watch.born = [this](const Body &body) { set_body(body, spec_.environment.object); };
         watch.move = [this](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
             draw_at(gait_, "gait", step, nodes, signal);
             draw_at(path_, "path", step, nodes, signal);
-            follow(step, nodes);
+            follow(step, nodes, nodes.first(signal.size()));
         };
         return watch;
     }
 
-    /// The ground below all that moved.
-    void draw_ground() {
-        if (!spec_.environment.has_ground || left_ > right_) return;
-        std::vector<double> edges{left_ - margin};
-        for (const Vec2d &corner : spec_.environment.ground)
-            if (corner.x > left_ - margin && corner.x < right_ + margin) edges.push_back(corner.x);
-        edges.push_back(right_ + margin);
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            tables_.draw_terrain({spec_.name, rank_, "ground", 0, static_cast<int>(i), edges[i],
-                                  ground_height(spec_.environment, edges[i])});
+    /// Ground and ceiling along all that moved, and all obstacles.
+    void draw_terrain() {
+        if (left_ > right_) return;
+        const Environment &world = spec_.environment;
+        if (world.has_ground) draw_line("ground", world.ground);
+        if (!world.ceiling.empty()) draw_line("ceiling", world.ceiling);
+        int number = 0;
+        for (const Obstacle &obstacle : world.obstacles) {
+            std::vector<Vec2d> points = obstacle.points;
+            points.push_back(points.front());
+            draw_points("obstacle", number++, points);
+        }
     }
 
   private:
+    void draw_line(const char *kind, const std::vector<Vec2d> &line) {
+        std::vector<Vec2d> points{{left_ - margin, height_of(line, left_ - margin)}};
+        for (const Vec2d corner : line)
+            if (corner.x > left_ - margin && corner.x < right_ + margin) points.push_back(corner);
+        points.push_back({right_ + margin, height_of(line, right_ + margin)});
+        draw_points(kind, 0, points);
+    }
+
+    void draw_points(const char *kind, int number, std::span<const Vec2d> points) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            tables_.draw_terrain(
+                {spec_.name, rank_, kind, number, static_cast<int>(i), points[i].x, points[i].y});
+    }
+
     FrameRow frame(const char *stage, int number, int step) const {
         return {.setting = spec_.name, .rank = rank_, .stage = stage, .frame = number, .step = step};
+    }
+
+    void set_body(const Body &body, const Body &object) {
+        const int first = body.cells();
+        links_ = body.mesh.links, outline_ = body.outline;
+        for (const auto &[a, b] : object.mesh.links) links_.push_back({a + first, b + first});
+        for (const auto &[a, b, solid] : object.outline) outline_.push_back({a + first, b + first, solid});
     }
 
     void draw_embryo(int number, int step, std::span<const Vec2d> cells) {
         const Parameters &p = spec_.parameters;
         const Body body =
             make_body({cells.begin(), cells.end()}, p.development.link_limit * 2 * p.development.cell_radius);
-        tables_.draw(frame("growth", number, step), cells, {}, body.mesh.links, body.outline);
+        tables_.draw(frame("growth", number, step), cells, {}, body.mesh.links, body.outline, cells.size());
     }
 
     void draw_at(const Steps &steps, const char *stage, int step, std::span<const Vec2d> nodes,
                  std::span<const double> signal) {
         for (int i = 0; i < frames_per_stage; ++i)
             if (steps[i] == step)
-                tables_.draw(frame(stage, i, step), nodes, signal, body_.mesh.links, body_.outline);
+                tables_.draw(frame(stage, i, step), nodes, signal, links_, outline_, signal.size());
     }
 
-    void follow(int step, std::span<const Vec2d> nodes) {
+    void follow(int step, std::span<const Vec2d> nodes, std::span<const Vec2d> cells) {
         for (const Vec2d &node : nodes) left_ = std::min(left_, node.x), right_ = std::max(right_, node.x);
         if (step % path_interval) return;
-        const Vec2d centre = centre_of_mass(nodes);
+        const Vec2d centre = centre_of_mass(cells);
         tables_.trace({spec_.name, rank_, step, centre.x, centre.y});
     }
 
@@ -196,7 +219,8 @@ class FrameWatcher {
     int rank_;
     FrameTables &tables_;
     Steps growth_, gait_, path_;
-    Body body_;
+    std::vector<Link> links_; // of body and object
+    std::vector<OutlineLink> outline_;
     double left_ = std::numeric_limits<double>::infinity(), right_ = -left_; // of all nodes that moved
 };
 
@@ -208,7 +232,7 @@ void write_individual(const Spec &spec, const Shown &shown, FrameTables &tables)
         throw InputError(recorded.file.string() + ": the best individual of '" + spec.name +
                          "' has fitness " + to_text(recorded.fitness) + " there, and is judged to have " +
                          to_text(fitness));
-    frames.draw_ground();
+    frames.draw_terrain();
     tables.describe({.setting = spec.name,
                      .rank = shown.rank,
                      .seed = shown.seed,

@@ -106,6 +106,13 @@ std::vector<WorldRow> world_rows(const SettingRuns &setting) {
         if (conditions.environment.has_ground)
             points = static_cast<double>(conditions.environment.ground.size());
         rows.push_back({spec.name, called("ground points"), points, "points", ""});
+        const auto add_count = [&](const char *name, std::size_t count, const char *unit) {
+            if (count > 0) rows.push_back({spec.name, called(name), static_cast<double>(count), unit, ""});
+        };
+        add_count("obstacles", conditions.environment.obstacles.size(), "obstacles");
+        add_count("ceiling points", conditions.environment.ceiling.size(), "points");
+        add_count("friction patches", conditions.environment.friction_patches.size(), "patches");
+        add_count("object cells", conditions.environment.object.positions.size(), "cells");
     };
     add(spec, [](std::string_view name) { return std::string(name); });
     for (std::size_t i = 0; i < spec.phases.size(); ++i)

@@ -11,7 +11,7 @@ enum class Outcome {
     died_out,  // no cell was left
     too_small, // fewer cells than Parameters::minimum_cells at the end of development, or left after damage
     overgrown, // Parameters::cell_limit was reached, even once
-    never_settled, // not at rest within Parameters::settle_limit
+    never_settled, // not at rest within Parameters::settle_limit, or without room where it was to start
     exploded,      // a speed over node_speed_limit, or a number that is not finite
 };
 

@@ -45,7 +45,7 @@ void LifeObserver::step(int t, const Engine &engine, std::span<const double> sig
     if (reads({work, net_work, elastic_energy, contact_time, contact_share, final_shape})) {
         const std::vector<Vec2d> positions = engine.positions();
         if (reads({work, net_work, elastic_energy})) add_energy(positions);
-        if (reads({contact_time, contact_share})) add_contact(positions);
+        if (reads({contact_time, contact_share})) add_contact(std::span(positions).first(signal.size()));
         positions_ = positions;
     }
     add_signal(t, signal);
@@ -94,8 +94,8 @@ void LifeObserver::finish(Observations &observations) const {
         all.period = knots * gait_.knot_interval;
         all.gait_phases = phases_of(late_signals_, knots);
     }
-    all.final_shape = positions_;
-    // Those that were asked for.
+    if (model_) all.final_shape.assign(positions_.begin(), positions_.end() - model_->object_nodes);
+        // Those that were asked for.
 #define OBSERVATION(type, name, initial, unit, known, exists, meaning)                                       \
     if (KnownAfter::known == KnownAfter::locomotion && observed_.has(Observation::name))                     \
         observations.name = all.name;

@@ -58,6 +58,13 @@ void copy_locomotion(const Life &known, Life &life) {
 #include "evaluation/observations.inl"
 }
 
+void observe_object(const Trial &trial, Observations &observations) {
+    if (observations.known.has(Observation::object_rest) && trial.object_rest)
+        observations.object_rest = *trial.object_rest;
+    if (observations.known.has(Observation::object_finish) && trial.object_finish)
+        observations.object_finish = *trial.object_finish;
+}
+
 /// What a body did in each of several worlds, as far as it was asked for.
 void tell_phases(std::span<const PhaseResult> phases, Observations &observations) {
     const ObservationSet &asked = observations.known;
@@ -98,6 +105,7 @@ void move(const Network &network, const Growth &growth, const Conditions &condit
     if (!observer) return;
     observer->finish(life.observations);
     tell_phases(trial.phases, life.observations);
+    observe_object(trial, life.observations);
 }
 
 /// The same of a body that loses cells, at first or on its way. Of too few cells that are left nothing is simulated.

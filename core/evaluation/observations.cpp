@@ -11,6 +11,9 @@ namespace {
 
 constexpr Existence with_phases{[](const Conditions &conditions) { return !conditions.phases.empty(); },
                                 "in settings with phases"};
+constexpr Existence with_object{
+    [](const Conditions &conditions) { return conditions.environment.object.cells() > 0; },
+    "in environments with an object"};
 
 constexpr ObservationRow rows[] = {
 #define OBSERVATION(type, name, initial, unit, known, exists, meaning)                                       \

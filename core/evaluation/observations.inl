@@ -12,7 +12,7 @@
 
 OBSERVATION(double, work, 0, "energy", locomotion, everywhere, "work that muscles did in locomotion: the sum of what each spring got from changes of its rest length, gains alone")
 OBSERVATION(double, net_work, 0, "energy", locomotion, everywhere, "the same, gains less losses: what the muscles added to the energy of the body")
-OBSERVATION(double, elastic_energy, 0, "energy", locomotion, everywhere, "energy in springs and in the pressure of triangles, the mean over the steps of locomotion")
+OBSERVATION(double, elastic_energy, 0, "energy", locomotion, everywhere, "energy in springs and in the pressure of triangles, those of a loose object included, the mean over the steps of locomotion")
 OBSERVATION(double, contact_time, 0, "1", locomotion, everywhere, "share of the steps of locomotion after which some cell touched the ground; 0 in water")
 OBSERVATION(double, contact_share, 0, "1", locomotion, everywhere, "share of its cells that touched the ground, the mean over these steps; 0 in water")
 OBSERVATION(Samples, signals, {}, "1", locomotion, everywhere, "muscle signal of each cell, -1 to 1, every path_interval steps from rest to finish: signals[i][cell]")
@@ -24,5 +24,7 @@ OBSERVATION(std::vector<Vec2d>, phase_start, {}, "cell", locomotion, with_phases
 OBSERVATION(std::vector<Vec2d>, phase_finish, {}, "cell", locomotion, with_phases, "centre of mass after the last step in each world")
 OBSERVATION(std::vector<double>, phase_steps, {}, "step", locomotion, with_phases, "steps of locomotion in each world")
 OBSERVATION(std::vector<double>, phase_settle_steps, {}, "step", locomotion, with_phases, "steps until the body was at rest in each world; 0 where it did not settle")
+OBSERVATION(Vec2d, object_rest, {}, "cell", locomotion, with_object, "centre of mass of the loose object when the body had come to rest")
+OBSERVATION(Vec2d, object_finish, {}, "cell", locomotion, with_object, "the same at the end of locomotion")
 
 #undef OBSERVATION

@@ -24,12 +24,35 @@ std::string counted(std::size_t count, const std::string &things, const Hash &nu
     return number + " " + things + " " + numbers.hex();
 }
 
+/// "none" without points.
+std::string points_text(const std::vector<Vec2d> &points, const char *what = "points") {
+    if (points.empty()) return none;
+    Hash numbers;
+    for (const Vec2d point : points) numbers.number(point.x).number(point.y);
+    return counted(points.size(), what, numbers);
+}
+
 std::string ground_text(const Environment &environment) {
     if (!environment.has_ground) return none;
-    if (environment.ground.empty()) return "flat";
-    Hash points;
-    for (const Vec2d point : environment.ground) points.number(point.x).number(point.y);
-    return counted(environment.ground.size(), "points", points);
+    return environment.ground.empty() ? "flat" : points_text(environment.ground);
+}
+
+std::string obstacles_text(const Environment &environment) {
+    if (environment.obstacles.empty()) return none;
+    Hash content;
+    for (const auto &[points, friction] : environment.obstacles) {
+        content.number(std::uint64_t{points.size()}).number(friction.value_or(environment.friction));
+        for (const Vec2d point : points) content.number(point.x).number(point.y);
+    }
+    return counted(environment.obstacles.size(), "obstacles", content);
+}
+
+std::string patches_text(const Environment &environment) {
+    if (environment.friction_patches.empty()) return none;
+    Hash content;
+    for (const auto &[from, to, friction] : environment.friction_patches)
+        content.number(from).number(to).number(friction);
+    return counted(environment.friction_patches.size(), "patches", content);
 }
 
 std::string regions_text(const std::vector<Region> &regions) {
@@ -76,6 +99,10 @@ void add_environment(const std::string &prefix, const Conditions &conditions, Id
     }
     add("regions", regions_text(conditions.environment.regions), none);
     add("current", current_text(conditions.environment.current), none);
+    add("obstacles", obstacles_text(conditions.environment), none);
+    add("ceiling", points_text(conditions.environment.ceiling), none);
+    add("friction_patches", patches_text(conditions.environment), none);
+    add("object", points_text(conditions.environment.object.positions, "cells"), none);
 }
 
 /// What happens to a body on its way, only if it is stated.

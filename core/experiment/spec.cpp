@@ -66,6 +66,21 @@ void check_name(const std::string &what, const std::string &name) {
                          "'");
 }
 
+namespace {
+
+/// A loose object follows the nodes of one body in one world (decision 0024).
+void check_object(const Spec &spec) {
+    const auto has_object = [](const Environment &environment) { return environment.object.cells() > 0; };
+    for (const Phase &phase : spec.phases)
+        if (has_object(phase.environment))
+            throw InputError(
+                "a phase cannot have an object: only the first world of a setting without phases");
+    if (has_object(spec.environment) && (!spec.phases.empty() || spec.damage))
+        throw InputError("a setting with an object has neither phases nor damage");
+}
+
+} // namespace
+
 void check_spec(const Spec &spec) {
     check_name("a setting", spec.name);
     if (!(spec.actuation_range >= 0 && spec.actuation_range <= 0.9))
@@ -81,6 +96,7 @@ void check_spec(const Spec &spec) {
     make_engine(spec.engine);
     check_environment(spec.environment);
     check_course(spec);
+    check_object(spec);
     check_consistency(spec.parameters);
 }
 

@@ -4,6 +4,8 @@
 #include "base/keep_only.h"
 #include "body/body.h"
 #include "locomotion/last_quarter.h"
+#include "physics/embody.h"
+#include "physics/room.h"
 
 #include <cmath>
 #include <numeric>
@@ -14,23 +16,46 @@ namespace planula {
 
 namespace {
 
+/// The fastest of the animat's nodes.
+double fastest_cell(const SoftBodyModel &model, const Engine &engine) {
+    double fastest = 0;
+    const auto velocities = engine.velocities();
+    for (int cell = 0; cell < model.cells(); ++cell) fastest = std::max(fastest, length(velocities[cell]));
+    return fastest;
+}
+
 /// Muscles off until all nodes have been slow for settle_window steps in a row (§2.5).
-Outcome settle(const SettlingParameters &p, Engine &engine, int &steps) {
+Outcome settle(const SettlingParameters &p, const SoftBodyModel &model, Engine &engine, int &steps) {
     int calm = 0;
     for (steps = 0; steps < p.settle_limit && calm < p.settle_window; ++steps) {
         const Motion motion = engine.step(p.settle_damping);
         if (motion.exploded) return Outcome::exploded;
-        calm = motion.fastest < p.settle_speed ? calm + 1 : 0;
+        const double fastest = model.object_nodes == 0 ? motion.fastest : fastest_cell(model, engine);
+        calm = fastest < p.settle_speed ? calm + 1 : 0;
     }
     return calm < p.settle_window ? Outcome::never_settled : Outcome::viable;
+}
+
+/// The centre of mass of the animat's nodes.
+Vec2d centre_of_cells(const SoftBodyModel &model, const Engine &engine) {
+    const std::vector<Vec2d> positions = engine.positions();
+    return centre_of_mass(std::span(positions).first(positions.size() - model.object_nodes));
+}
+
+/// Nothing if there is no object.
+std::optional<Vec2d> centre_of_object(const SoftBodyModel &model, const Engine &engine) {
+    if (model.object_nodes == 0) return std::nullopt;
+    const std::vector<Vec2d> positions = engine.positions();
+    return centre_of_mass(std::span(positions).last(model.object_nodes));
 }
 
 /// The cells' muscles at knots, handed to the engine one knot ahead.
 class Muscles {
   public:
-    Muscles(const GaitParameters &parameters, double range, int cells, Gait &gait, const Engine &engine)
-        : parameters_(parameters), range_(range), gait_(gait), from_(cells), to_(cells), now_(cells),
-          extensions_(cells), changes_(cells) {
+    Muscles(const GaitParameters &parameters, double range, const SoftBodyModel &model, Gait &gait,
+            const Engine &engine)
+        : parameters_(parameters), range_(range), gait_(gait), from_(model.cells()), to_(model.cells()),
+          now_(model.cells()), extensions_(model.nodes()), changes_(model.cells()) {
         read(0, engine);
     }
 
@@ -71,6 +96,7 @@ class Muscles {
     void read(int t, const Engine &engine) {
         if (gait_.senses()) {
             std::vector<Vec2d> places = engine.positions();
+            places.resize(to_.size()); // without the object
             for (Vec2d &place : places) place -= unsensed_;
             gait_.sense(places);
         }
@@ -80,7 +106,7 @@ class Muscles {
     const GaitParameters &parameters_;
     double range_;
     Gait &gait_;
-    std::vector<double> from_, to_, now_, extensions_, changes_; // per cell
+    std::vector<double> from_, to_, now_, extensions_, changes_; // per cell; extensions also of the object, 0
     double lost_change_ = 0;                                     // of cells that are lost
     Vec2d unsensed_;
 };
@@ -101,8 +127,10 @@ class Way {
 
     /// Rest, if it begins with that; false if the body does not come to rest.
     bool begin() {
+        if (!fits(model_->positions)) return false;
         if (environment_->gravity > 0 && !settles(trial_.settle_steps)) return false;
         trial_.rest = centre();
+        trial_.object_rest = centre_of_object(*model_, engine_);
         trial_.path.push_back(trial_.rest);
         if (!course_.phases.empty()) trial_.phases.push_back({0, trial_.settle_steps, trial_.rest, {}});
         return true;
@@ -122,15 +150,22 @@ class Way {
                 environment_->current.at(static_cast<double>(t - entered_) / course_.refinement));
     }
     /// The centre of mass, without its jumps.
-    Vec2d centre() const { return centre_of_mass(engine_.positions()) - jumps_; }
+    Vec2d centre() const { return centre_of_cells(*model_, engine_) - jumps_; }
     void finish(int t) {
         trial_.finish = centre();
+        trial_.object_finish = centre_of_object(*model_, engine_);
         leave(t);
     }
 
   private:
+    /// Whether there is room for the body here.
+    bool fits(std::span<const Vec2d> positions) {
+        if (has_room(*model_, positions, *environment_)) return true;
+        trial_.outcome = Outcome::never_settled;
+        return false;
+    }
     bool settles(int &steps) {
-        trial_.outcome = settle(parameters_.settling, engine_, steps);
+        trial_.outcome = settle(parameters_.settling, *model_, engine_, steps);
         return trial_.outcome == Outcome::viable;
     }
     void leave(int t) {
@@ -141,12 +176,16 @@ class Way {
     bool enter(const Phase &phase, int t, Muscles &muscles) {
         leave(t);
         BodyState state{engine_.positions(), engine_.velocities()};
-        if (phase.environment.has_ground && !has_same_ground(phase.environment, *environment_)) {
-            const Vec2d up{0, -height_of_lowest(state.positions, 0, phase.environment)};
+        const bool has_walls = phase.environment.has_walls();
+        if (phase.environment.has_ground &&
+            (has_walls || !has_same_ground(phase.environment, *environment_))) {
+            const double above = has_walls ? clearance_of_walls : 0;
+            const Vec2d up{0, above - height_of_lowest(state.positions, 0, phase.environment)};
             for (Vec2d &position : state.positions) position += up;
             muscles.moved(up);
         }
         environment_ = &phase.environment, entered_ = t;
+        if (!fits(state.positions)) return false;
         muscles.set_range(phase.actuation_range);
         load(state, muscles);
         PhaseResult &result = trial_.phases.emplace_back();
@@ -199,7 +238,7 @@ Trial locomote(const SoftBodyModel &model, const Environment &environment, doubl
     if (!way.begin()) return trial;
 
     // Step n uses the rest lengths of t = n + 1: exact at knots, linear between them. At t = 0 the ramp is 0.
-    Muscles muscles(p, actuation_range, model.nodes(), gait, engine);
+    Muscles muscles(p, actuation_range, model, gait, engine);
     const int late = last_quarter(p.locomotion_steps, p.knot_interval);
     double before = 0; // change of signals before it
     if (watch) watch(0, engine.positions(), muscles.signals(1));

@@ -8,15 +8,17 @@
 #include "physics/engine.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace planula {
 
 struct Trial {
-    Outcome outcome = Outcome::viable; // viable, never_settled or exploded
-    int settle_steps = 0;              // until the body was at rest; 0 without gravity
-    Vec2d rest, finish;                // centre of mass at rest and after the last step
-    double activity = 0;               // b_a of Eq. (5)
+    Outcome outcome = Outcome::viable;               // viable, never_settled or exploded
+    int settle_steps = 0;                            // until the body was at rest; 0 without gravity
+    Vec2d rest, finish;                              // centre of mass at rest and after the last step
+    std::optional<Vec2d> object_rest, object_finish; // the same of a loose object, if there is one
+    double activity = 0;                             // b_a of Eq. (5)
     // How much of all change of the signals was in the last quarter of locomotion; 0 if they never changed. With an
     // even rhythm 0.25, after a single contraction 0.
     double late_actuation = 0;
@@ -26,7 +28,8 @@ struct Trial {
     std::vector<PhaseResult> phases; // of the first world and each further one; empty if there is but one
 };
 
-/// Called at rest (step 0) and after every step, with node positions and each cell's signal.
+/// Called at rest (step 0) and after every step, with node positions, those of a loose object last, and each cell's
+/// signal.
 using MoveWatch =
     std::function<void(int step, std::span<const Vec2d> positions, std::span<const double> signal)>;
 
@@ -47,7 +50,8 @@ class TrialObserver {
 
 /// Loads the body into the engine, lets it settle if there is gravity, and moves it for locomotion_steps. Of the
 /// parameters it reads those of settling and gait. A body that comes into a world with another ground is set on it,
-/// straight up or down, as at first.
+/// straight up or down, as at first. A body that has no room where it is to start, or where it comes
+/// into a world, has never settled (physics/room.h).
 Trial locomote(const SoftBodyModel &model, const Environment &environment, double actuation_range,
                const Parameters &parameters, Gait &gait, Engine &engine, const MoveWatch &watch = {},
                TrialObserver *observer = nullptr, const Course &course = {});

@@ -36,13 +36,25 @@ std::vector<char> contact_masks(const Body &body, const std::vector<int> &cells,
 Vec2d placement(const Body &body, const Environment &environment) {
     const Vec2d centre = centre_of_mass(body.positions);
     if (!environment.has_ground) return -centre;
-    return {-centre.x, -height_of_lowest(body.positions, -centre.x, environment)};
+    // Above walls, which a node touches from its own side, by more than rounding.
+    const double above = environment.has_walls() ? clearance_of_walls : 0;
+    return {-centre.x, above - height_of_lowest(body.positions, -centre.x, environment)};
 }
 
-} // namespace
+/// A body with the object of its environment behind it, in the frame of the body, which `shift` moves.
+Body with_object(Body body, const Body &object, Vec2d shift) {
+    const int first = body.cells();
+    for (const Vec2d position : object.positions) body.positions.push_back(position - shift);
+    for (const auto &[a, b] : object.mesh.links) body.mesh.links.push_back({a + first, b + first});
+    for (const auto &[a, b, c] : object.mesh.triangles)
+        body.mesh.triangles.push_back({a + first, b + first, c + first});
+    body.rest_lengths.insert(body.rest_lengths.end(), object.rest_lengths.begin(), object.rest_lengths.end());
+    body.areas.insert(body.areas.end(), object.areas.begin(), object.areas.end());
+    for (const auto &[a, b, solid] : object.outline) body.outline.push_back({a + first, b + first, solid});
+    return body;
+}
 
-SoftBodyModel embody(const Body &body, const Environment &environment, const BodyParameters &parameters,
-                     double time_step) {
+SoftBodyModel model_of(const Body &body, Vec2d shift, const BodyParameters &parameters, double time_step) {
     SoftBodyModel model{.positions = body.positions,
                         .links = body.mesh.links,
                         .rest_lengths = body.rest_lengths,
@@ -53,8 +65,19 @@ SoftBodyModel embody(const Body &body, const Environment &environment, const Bod
                         .body = parameters,
                         .time_step = time_step};
     model.masked = contact_masks(body, model.contact_cells, parameters.contact_radius);
-    const Vec2d shift = placement(body, environment);
     for (Vec2d &position : model.positions) position += shift;
+    return model;
+}
+
+} // namespace
+
+SoftBodyModel embody(const Body &body, const Environment &environment, const BodyParameters &parameters,
+                     double time_step) {
+    const Vec2d shift = placement(body, environment);
+    if (environment.object.positions.empty()) return model_of(body, shift, parameters, time_step);
+    SoftBodyModel model =
+        model_of(with_object(body, environment.object, shift), shift, parameters, time_step);
+    model.object_nodes = environment.object.cells();
     return model;
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/environment.h"
 
-#include "base/error.h"
-#include "base/text.h"
 #include "physics/laws/contact.h"
+#include "physics/rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +13,12 @@ namespace planula {
 
 namespace {
 
-constexpr double farthest_ground = 1e9; // where doubles are still 1e-7 cells apart
-
-void require(bool holds, const std::string &rule, double value) {
-    if (!holds) throw InputError("environment: " + rule + ", not " + to_text(value));
-}
-
-void require_amount(const char *name, double value) {
-    require(std::isfinite(value) && value >= 0, std::string(name) + " must be a finite number, 0 or more",
-            value);
+/// A polyline of finite points, from left to right.
+void check_line(const std::vector<Vec2d> &line, const std::string &name) {
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        require_place(line[i], name);
+        require(i == 0 || line[i - 1].x < line[i].x, name + " points must ascend in x", line[i].x);
+    }
 }
 
 } // namespace
@@ -39,29 +35,22 @@ void check_environment(const Environment &environment) {
             environment.gravity);
     check_fields(environment);
 
-    // A polyline of finite points, from left to right.
-    const auto &ground = environment.ground;
-    require(ground.size() != 1, "a polyline ground needs two points or more", 1);
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        for (const double coordinate : {ground[i].x, ground[i].y}) {
-            require(std::isfinite(coordinate), "ground points must be finite", coordinate);
-            require(std::abs(coordinate) <= farthest_ground,
-                    "ground points must lie within " + to_text(farthest_ground) + " of 0", coordinate);
-        }
-        require(i == 0 || ground[i - 1].x < ground[i].x, "ground points must ascend in x", ground[i].x);
-    }
+    require(environment.ground.size() != 1, "a polyline ground needs two points or more", 1);
+    check_line(environment.ground, "ground");
+    check_obstacles(environment);
 }
 
-double ground_height(const Environment &environment, double x) {
-    const auto &ground = environment.ground;
-    if (ground.empty()) return 0;
-    if (x <= ground.front().x) return ground.front().y;
-    if (x >= ground.back().x) return ground.back().y;
-    const auto right = std::upper_bound(ground.begin(), ground.end(), x,
+double height_of(const std::vector<Vec2d> &line, double x) {
+    if (line.empty()) return 0;
+    if (x <= line.front().x) return line.front().y;
+    if (x >= line.back().x) return line.back().y;
+    const auto right = std::upper_bound(line.begin(), line.end(), x,
                                         [](double value, Vec2d point) { return value < point.x; });
     const Vec2d a = *(right - 1), b = *right;
     return a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x));
 }
+
+double ground_height(const Environment &environment, double x) { return height_of(environment.ground, x); }
 
 bool is_at_ground(const Environment &environment, Vec2d point, double reach) {
     if (!environment.has_ground) return false;

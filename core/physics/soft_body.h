@@ -22,8 +22,11 @@ struct SoftBodyModel {
 
     BodyParameters body;  // the numbers of the laws
     double time_step = 0; // length of a step, t.u.
+    int object_nodes = 0; // of a loose object: the last nodes
 
     int nodes() const { return static_cast<int>(positions.size()); }
+    /// The nodes of the animat itself: the first ones.
+    int cells() const { return nodes() - object_nodes; }
     bool is_masked(std::size_t contact_cell, std::size_t outline_link) const {
         return masked[contact_cell * outline.size() + outline_link] != 0;
     }

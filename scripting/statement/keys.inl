@@ -50,6 +50,10 @@ KEY("friction", "quantity", "1", "0", "§2.5", "Coulomb friction between nodes a
 KEY("drag", "table", "", "no fluid", "§2.5", "the fluid's quadratic drag on the outline", "drag = { normal = 8, tangential = 4 }")
 KEY("flow", "table", "", "a fluid at rest", "ours", "velocity of the fluid", "flow = { x = 0.1 }")
 KEY("regions", "list of tables", "", "none", "0025", "rectangles with another fluid; a link of the outline is in the first one that holds its middle", "regions = { { top = 0, drag = { normal = 1, tangential = 0.1 }, buoyancy = 0.9 } }")
+KEY("obstacles", "list of tables", "", "none", "0024", "closed polygons that do not cross themselves, a cell long or more: each a list of points {x, y}, or a table", "obstacles = { { { 5, 0 }, { 6, 0 }, { 6, 1 } } }")
+KEY("ceiling", "table", "", "none", "0024", "a list of points {x, y} ascending in x, or a height function; a cell or more above the ground", "ceiling = { { -10, 4 }, { 10, 2 } }")
+KEY("friction_patches", "list of tables", "", "none", "0024", "another friction of ground and ceiling between two places; from left to right, without overlap", "friction_patches = { { from = 2, to = 9, friction = 0.1 } }")
+KEY("object", "table", "", "none", "0024", "a loose object to push, of cells without muscles", "object = { at = { 6, 2 }, radius = 1 }")
 KEY("actuation_range", "quantity", "rest length", "needed", "§2.5", "largest change of a rest length when both cells agree, 0 … 0.9", "actuation_range = 0.4")
 TABLE_END
 
@@ -119,6 +123,30 @@ KEY("name", "text", "", "needed", "0027", "of its column in the table of the arc
 KEY("from", "number", "as the number", "no range", "0027", "where its range begins; what lies outside the range belongs to the niche at its edge", "from = 0")
 KEY("to", "number", "as the number", "no range", "0027", "where its range ends", "to = 256")
 KEY("cells", "whole number", "niches", "no range", "0027", "so many niches of equal width divide the range, 1 to 10000", "cells = 16")
+TABLE_END
+
+TABLE(obstacle, "environment.obstacles[]", "an obstacle with a friction of its own")
+KEY("points", "list of points", "cell", "needed", "0024", "the corners of the polygon {x, y}, three or more, in either direction", "points = { { 5, 0 }, { 6, 0 }, { 6, 1 } }")
+KEY("friction", "quantity", "1", "that of the environment", "0024", "Coulomb friction between nodes and obstacle", "friction = 0.1")
+TABLE_END
+
+TABLE(ceiling, "environment.ceiling", "a ceiling by its height, sampled as a ground")
+KEY("height", "function", "cell", "needed", "0024", "height(x): the height of the ceiling at x", "height = function(x) return 4 + math.sin(x) end")
+KEY("from", "number", "cell", "needed", "0024", "x of the first sample", "from = -50")
+KEY("to", "number", "cell", "needed", "0024", "x of the last sample", "to = 50")
+KEY("step", "number", "cell", "needed", "0024", "distance of two samples; at most 100000 samples", "step = 0.5")
+TABLE_END
+
+TABLE(patch, "environment.friction_patches[]", "a stretch of another friction")
+KEY("from", "number", "cell", "needed", "0024", "x where it begins", "from = 2")
+KEY("to", "number", "cell", "needed", "0024", "x where it ends", "to = 9")
+KEY("friction", "quantity", "1", "needed", "0024", "Coulomb friction there", "friction = 0.1")
+TABLE_END
+
+TABLE(object, "environment.object", "a loose object: cells on a triangular lattice, a cell apart; a shape or a radius says which")
+KEY("at", "point", "cell", "needed", "0024", "where one of its cells is at first, {x, y}", "at = { 6, 2 }")
+KEY("shape", "list of points", "cell", "a disc", "0024", "a polygon around its cells, relative to `at`", "shape = { { 0, 0 }, { 3, 0 }, { 3, 1 }, { 0, 1 } }")
+KEY("radius", "number", "cell", "a shape", "0024", "of a disc around `at`", "radius = 1")
 TABLE_END
 
 TABLE(start, "start", "how generation 0 is evolved before the run: by novelty search on growth alone")

@@ -5,7 +5,8 @@
 // - actuation: "oscillator" or "grn"
 // - search: a name of evolution/searches.inl
 // - engine: a name of make_engine(): "native" (if not given), "reference", "bullet"
-// - environment: {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y}, actuation_range}
+// - environment: {gravity, ground, friction, drag = {normal, tangential}, flow = {x, y}, actuation_range, obstacles,
+//   ceiling, friction_patches, object}
 // - parameters: {name = value}, departures from the standard values
 // - fitness, penalty, behaviour: functions (statement/judging_functions.h)
 // - objectives, descriptor: what the search aims at (statement/schema_aims.h)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The environment of a setting, from its table. `ground` is "none", "flat", a polyline {{x, y}, …}, or
-// {height = function(x) … end, from = …, to = …, step = …}, which is sampled once, here: at `from`, from + step and so
-// on, never beyond `to`, and at `to`.
+// The environment of a setting, from its table. `ground` is "none", "flat", or a line (statement/schema_line.h); what
+// else there is to touch is read by statement/schema_obstacles.h.
 #pragma once
 
 #include "language/lua_state.h"

@@ -2,11 +2,15 @@
 #include "physics/bullet/bullet_engine.h"
 
 #include "base/check.h"
+#include "physics/bullet/triangulate.h"
 #include "physics/reference/reference_engine.h"
+#include "physics/walls.h"
 
 #include <btBulletDynamicsCommon.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace planula {
 
@@ -14,7 +18,8 @@ namespace {
 
 static_assert(sizeof(btScalar) == sizeof(double), "Bullet must be built in double precision");
 
-// Of the spheres. The ground lies as much deeper, so nodes touch as points.
+// Of the spheres. Ground and ceiling lie as much deeper, so nodes touch them as points; obstacles, which may be thin,
+// do not, so nodes are kept so far from them.
 constexpr double node_radius = 0.05;
 constexpr int nodes_group = 1, ground_group = 2;
 
@@ -29,9 +34,12 @@ class BulletEngine::World {
     World(const SoftBodyModel &model, const Environment &environment, const BodyState &state)
         : model_(model), environment_(environment), surroundings_(environment), dispatcher_(&configuration_),
           world_(&dispatcher_, &broadphase_, &solver_, &configuration_), sphere_(node_radius),
-          rest_lengths_(model) {
+          walls_(environment, {}), rest_lengths_(model) {
         world_.setGravity(to_bullet(surroundings_.gravity));
-        if (environment.has_ground) add_ground();
+        if (environment.has_walls())
+            add_walls();
+        else if (environment.has_ground)
+            add_ground();
         for (std::size_t i = 0; i < state.positions.size(); ++i)
             add_node(state.positions[i], state.velocities[i]);
     }
@@ -46,7 +54,8 @@ class BulletEngine::World {
     Motion step(double damping) {
         rest_lengths_.advance();
         const reference::Nodes nodes{positions(), velocities()};
-        const auto forces = reference::forces_on(model_, surroundings_, rest_lengths_.now(), nodes);
+        auto forces = reference::forces_on(model_, surroundings_, rest_lengths_.now(), nodes);
+        if (!walls_.empty()) reference::add_pull_of_walls(model_, walls_.view(), {}, nodes.positions, forces);
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             nodes_[i]->applyCentralForce(to_bullet(forces[i] - nodes.velocities[i] * damping));
             if (surroundings_.water.empty()) continue;
@@ -72,13 +81,17 @@ class BulletEngine::World {
     void add_node(Vec2d position, Vec2d velocity) {
         btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, &sphere_, btVector3(0, 0, 0));
         info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), to_bullet(position));
-        info.m_friction = environment_.friction;
+        info.m_friction = 1; // Bullet multiplies it with that of the ground
         info.m_restitution = 0;
         auto node = std::make_unique<btRigidBody>(info);
         node->setLinearFactor(btVector3(1, 1, 0));
         node->setAngularFactor(btVector3(0, 0, 0));
         node->setActivationState(DISABLE_DEACTIVATION);
         node->setLinearVelocity(to_bullet(velocity));
+        if (!environment_.obstacles.empty()) { // a fast node stops at a thin wall
+            node->setCcdMotionThreshold(node_radius / 2);
+            node->setCcdSweptSphereRadius(node_radius / 2);
+        }
         world_.addRigidBody(node.get(), nodes_group, ground_group);
         nodes_.push_back(std::move(node));
     }
@@ -86,30 +99,51 @@ class BulletEngine::World {
     /// A half-space for level ground, a row of thick slabs for a polyline; each lowered by the nodes' radius.
     void add_ground() {
         const auto &line = environment_.ground;
-        if (line.empty())
-            return add_slab(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), -node_radius), {});
-        constexpr double far = 1e4;
-        std::vector<Vec2d> points = line;
-        points.insert(points.begin(), {line.front().x - far, line.front().y});
-        points.push_back({line.back().x + far, line.back().y});
-        for (std::size_t i = 1; i < points.size(); ++i) add_segment(points[i - 1], points[i]);
+        if (!line.empty()) return add_line({line, {}}, true);
+        add_slab(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), -node_radius),
+                 environment_.friction);
     }
 
-    void add_segment(Vec2d a, Vec2d b) {
-        constexpr double depth = 20, width = 10;
-        const Vec2d along = b - a, up = -right_normal(along) / length(along), down = up * -node_radius;
+    void add_walls() {
+        if (environment_.has_ground) add_line(cut(environment_.ground, environment_), true);
+        if (!environment_.ceiling.empty()) add_line(cut(environment_.ceiling, environment_), false);
+        for (const Obstacle &obstacle : environment_.obstacles)
+            for (const auto &triangle : triangulate(obstacle.points))
+                add_prism(triangle, obstacle.friction.value_or(environment_.friction));
+    }
+
+    /// Of ground, or of a ceiling. Without frictions of its own it has that of the environment.
+    void add_line(const CutLine &line, bool is_ground) {
+        constexpr double far = 1e4;
+        std::vector<Vec2d> points = line.points;
+        points.insert(points.begin(), {points.front().x - far, points.front().y});
+        points.push_back({points.back().x + far, points.back().y});
+        for (std::size_t i = 1; i < points.size(); ++i)
+            add_segment(points[i - 1], points[i], is_ground ? -1 : 1,
+                        line.frictions.empty() ? environment_.friction : line.frictions[i - 1]);
+    }
+
+    /// `inwards`: -1 for ground, which is solid below, 1 for a ceiling.
+    void add_segment(Vec2d a, Vec2d b, double inwards, double friction) {
+        constexpr double depth = 20;
+        const Vec2d along = b - a, up = -right_normal(along) / length(along),
+                    in = up * (inwards * node_radius);
+        const double deep = (inwards < 0 ? std::min(a.y, b.y) : std::max(a.y, b.y)) + inwards * depth;
+        add_prism(std::array{a + in, b + in, Vec2d{a.x, deep}, Vec2d{b.x, deep}}, friction);
+    }
+
+    void add_prism(std::span<const Vec2d> corners, double friction) {
+        constexpr double width = 10;
         auto hull = std::make_unique<btConvexHullShape>();
-        for (const Vec2d corner : {a + down, b + down, Vec2d{a.x, std::min(a.y, b.y) - depth},
-                                   Vec2d{b.x, std::min(a.y, b.y) - depth}})
+        for (const Vec2d corner : corners)
             for (const double z : {-width, width}) hull->addPoint(btVector3(corner.x, corner.y, z));
         hull->setMargin(0);
-        add_slab(std::move(hull), {});
+        add_slab(std::move(hull), friction);
     }
 
-    void add_slab(std::unique_ptr<btCollisionShape> shape, Vec2d place) {
+    void add_slab(std::unique_ptr<btCollisionShape> shape, double friction) {
         btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shape.get());
-        info.m_startWorldTransform = btTransform(btQuaternion::getIdentity(), to_bullet(place));
-        info.m_friction = 1; // Bullet multiplies the two
+        info.m_friction = friction;
         info.m_restitution = 0;
         auto ground = std::make_unique<btRigidBody>(info);
         world_.addRigidBody(ground.get(), ground_group, nodes_group);
@@ -128,6 +162,7 @@ class BulletEngine::World {
     btSphereShape sphere_;
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btRigidBody>> grounds_, nodes_;
+    Walls<double> walls_; // which draw links back
     reference::RestLengths rest_lengths_;
 };
 

@@ -64,6 +64,12 @@ template <class T, class Line> int piece_below(const Line &line, T x, int guess)
 
 template <class T, class Number> Vec2<T> as(Vec2<Number> v) { return {T(v.x), T(v.y)}; }
 
+/// A distance above all rounding in single precision of a node's place.
+template <class T> T rounding_at(Vec2<T> position) {
+    using std::abs;
+    return T(0x1p-20) * (T(1) + abs(position.x) + abs(position.y));
+}
+
 /// The plane that holds a node at `position` above a piece: a skin above the ground, or, where the node is nearer to
 /// it, as high as the node is and a little more, for rounding.
 template <class T> struct Hold {
@@ -73,8 +79,8 @@ template <class T> struct Hold {
     template <class Number>
     Hold(const Piece<Number> &piece, Vec2<T> position)
         : plane{as<T>(piece.plane.point), as<T>(piece.plane.normal)} {
-        using std::abs, std::min;
-        const T rounding = T(0x1p-20) * (T(1) + abs(position.x) + abs(position.y)), skin = T(8) * rounding;
+        using std::min;
+        const T rounding = rounding_at(position), skin = T(8) * rounding;
         const T height = dot(position - plane.point, plane.normal);
         plane.point += plane.normal * min(skin, height + rounding);
         slack = T(0.5) * rounding;

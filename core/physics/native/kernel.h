@@ -6,6 +6,7 @@
 #include "base/lane_sets.h"
 #include "physics/laws/ground.h"
 #include "physics/laws/region.h"
+#include "physics/laws/wall.h"
 #include "physics/native/layout.h"
 
 #include <cstdint>
@@ -20,6 +21,8 @@ struct Gravity {
     const Layer<float> *layers;
     int layer_count;
 };
+/// For StepTask::pieces.
+inline constexpr int walls = -1;
 
 /// One step of all nodes: their state, what acts on them, and the numbers of the laws.
 struct StepTask {
@@ -32,10 +35,11 @@ struct StepTask {
     float time_step, slowing, fall; // v ← (v + F·time_step)·slowing, v_y ← v_y − fall
     const Gravity *gravity;         // instead of `fall`, if it is not null
     const Piece<float> *ground;     // left to right
-    int pieces;                     // 0: no ground, 1: level
+    int pieces;                     // 0: no ground, 1: level; walls: walls in its place
     int *below;                     // per node, the piece below it when last looked for
     float friction;
     float squared_limit; // of speed
+    WallsView<float> wall_grid;
 };
 
 struct StepResult {

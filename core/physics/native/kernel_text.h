@@ -111,6 +111,20 @@ template <class T> Vec2<T> contact_with_line(const StepTask &task, int first, Ve
     return {load<T>(vx), load<T>(vy)};
 }
 
+/// The velocity after contact with walls, node after node.
+template <class T> Vec2<T> contact_with_walls(const StepTask &task, Vec2<T> position, Vec2<T> v) {
+    using One = Lanes<1>;
+    const One time_step(task.time_step);
+    float x[T::width], y[T::width], vx[T::width], vy[T::width];
+    store(position.x, x), store(position.y, y), store(v.x, vx), store(v.y, vy);
+    for (int lane = 0; lane < T::width; ++lane) {
+        const Vec2<One> at{x[lane], y[lane]}, velocity{vx[lane], vy[lane]};
+        const Vec2<One> after = planula::contact_with_walls(task.wall_grid, at, velocity, time_step);
+        vx[lane] = after.x.value, vy[lane] = after.y.value;
+    }
+    return {load<T>(vx), load<T>(vy)};
+}
+
 /// What gravity adds to the velocity of nodes where it is tilted or water carries them.
 template <class T> Vec2<T> gravity_in_step(const Gravity &gravity, Vec2<T> position) {
     return Vec2<T>{gravity.x, gravity.y} * gravity_share(position.y, gravity.layers, gravity.layer_count);
@@ -136,6 +150,8 @@ template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced
         v = contact_with_level(task, position, v);
     else if (task.pieces > 1)
         v = contact_with_line(task, forced.first, position, v);
+    else if (task.pieces == walls)
+        v = contact_with_walls(task, position, v);
     store_nodes<T>({position + v * time_step, v}, next + forced.first);
     return v;
 }

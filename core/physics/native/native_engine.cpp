@@ -12,6 +12,8 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
     contact_.load(body_, kernel_);
     origin_ = origin_for(state.positions, environment);
     ground_ = lay_ground<float>(environment, origin_);
+    walls_ = Walls<float>(environment, origin_);
+    pull_of_walls_ = static_cast<float>(model.body.contact_stiffness);
 
     now_.clear();
     for (const int cell : body_.cell_of) {
@@ -46,10 +48,11 @@ void NativeEngine::set_tasks(const SoftBodyModel &model) {
              .fall = static_cast<float>(environment.gravity) * dt,
              .gravity = nullptr,
              .ground = ground_.data(),
-             .pieces = static_cast<int>(ground_.size()),
+             .pieces = walls_.empty() ? static_cast<int>(ground_.size()) : native::walls,
              .below = below_.data(),
              .friction = static_cast<float>(environment.friction),
-             .squared_limit = limit * limit};
+             .squared_limit = limit * limit,
+             .wall_grid = walls_.view()};
     set_gravity();
     const int drag_groups = environment.has_fluid() ? static_cast<int>(body_.outline.size()) : 0;
     drag_ = {body_.outline.data(),
@@ -112,7 +115,7 @@ Motion NativeEngine::step(double damping) {
     return {speed, beyond};
 }
 
-/// Drag and self-collision.
+/// Drag, self-collision, and the pull of walls.
 void NativeEngine::push_outline() {
     const int first = body_.outline_group() * native::group_size;
     const auto touches = contact_.touches(now_.data(), moved_);
@@ -122,12 +125,20 @@ void NativeEngine::push_outline() {
     else if (touched_)
         std::fill(push_x_.begin() + first, push_x_.end(), 0.0f),
             std::fill(push_y_.begin() + first, push_y_.end(), 0.0f);
-    touched_ = !touches.empty();
-    if (!touched_) return;
-
-    const auto push = [&](int node, Vec2f force) { push_x_[node] += force.x, push_y_[node] += force.y; };
+    touched_ = false;
+    const auto push = [&](int node, Vec2f force) {
+        push_x_[node] += force.x, push_y_[node] += force.y, touched_ = true;
+    };
     for (const auto &[cell, a, b, forces] : touches)
         push(cell, forces.on_cell), push(a, forces.on_a), push(b, forces.on_b);
+    if (!walls_.empty())
+        pull_outline(
+            walls_.view(), body_.model.outline, pull_of_walls_,
+            [&](int node) {
+                return Vec2f{now_[node].x, now_[node].y};
+            },
+            push);
+    if (!touched_) return;
     // Copies of the last node are pushed as it is.
     for (std::size_t copy = body_.nodes; copy < now_.size(); ++copy)
         push_x_[copy] = push_x_[body_.nodes - 1], push_y_[copy] = push_y_[body_.nodes - 1];

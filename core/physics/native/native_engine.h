@@ -8,6 +8,7 @@
 #include "physics/native/contact.h"
 #include "physics/native/kernel.h"
 #include "physics/surroundings.h"
+#include "physics/walls.h"
 
 namespace planula {
 
@@ -38,7 +39,9 @@ class NativeEngine : public Engine {
     std::vector<FluidRegion<float>> regions_;
     std::vector<Layer<float>> water_;
     native::Gravity gravity_;
-    std::vector<int> below_; // per node, copies included, the number of a piece of ground
+    Walls<float> walls_;      // in place of the ground, if there are some
+    float pull_of_walls_ = 0; // on a link, for each cell of depth
+    std::vector<int> below_;  // per node, copies included, the number of a piece of ground
     native::StepTask task_;
     native::DragTask drag_;
     native::Contact contact_;
@@ -47,7 +50,7 @@ class NativeEngine : public Engine {
     std::vector<native::Extension> extension_; // per node, copies included
     std::vector<float> push_x_, push_y_;       // the same
     std::vector<native::Force> half_drag_;     // per outline link, and 0 after them
-    bool touched_ = false;                     // whether touches pushed
+    bool touched_ = false;                     // whether touches or walls pushed
     float moved_ = 0;                          // how far the fastest node went in the last step
     int knot_steps_ = 0, knot_interval_ = 0;
     bool muscles_move_ = false; // towards the coming knot

@@ -63,6 +63,14 @@ void add_contact(const SoftBodyModel &model, std::span<const Vec2d> x, std::span
         }
 }
 
+// Decision 0024.
+void add_pull_of_walls(const SoftBodyModel &model, const WallsView<double> &walls, Vec2d origin,
+                       std::span<const Vec2d> x, std::span<Vec2d> forces) {
+    pull_outline(
+        walls, model.outline, model.body.contact_stiffness, [&](int node) { return x[node] - origin; },
+        [&](int node, Vec2d force) { forces[node] += force; });
+}
+
 // Rule W2, with the fluid at the middle of a link.
 void add_drag(const SoftBodyModel &model, const Surroundings &surroundings, const Nodes &nodes,
               std::span<Vec2d> forces) {

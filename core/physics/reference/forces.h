@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The forces on the nodes of one soft body, a family at a time, in double precision (§2.5; decisions 0006 to 0009).
 // Plain loops over springs, triangles, outline and pairs, in the order in which the body has them, so that every sum
-// depends on the body alone. The laws are in physics/laws/. Gravity and the ground are the engine's own.
+// depends on the body alone. The laws are in physics/laws/. Gravity, ground and walls are the engine's own.
 #pragma once
 
 #include "physics/environment.h"
 #include "physics/soft_body.h"
 #include "physics/surroundings.h"
+#include "physics/walls.h"
 
 #include <span>
 #include <vector>
@@ -35,7 +36,7 @@ struct Surroundings {
     }
 };
 
-/// All families at this state, a vector for each node. `rest_lengths`: one for each link.
+/// All families at this state but the pull of walls, a vector for each node. `rest_lengths`: one for each link.
 std::vector<Vec2d> forces_on(const SoftBodyModel &model, const Surroundings &surroundings,
                              std::span<const double> rest_lengths, const Nodes &nodes);
 
@@ -44,6 +45,9 @@ void add_springs(const SoftBodyModel &model, std::span<const double> rest_length
                  std::span<Vec2d> forces);
 void add_pressure(const SoftBodyModel &model, std::span<const Vec2d> positions, std::span<Vec2d> forces);
 void add_contact(const SoftBodyModel &model, std::span<const Vec2d> positions, std::span<Vec2d> forces);
+/// Of links that walls have pierced; walls count from `origin`.
+void add_pull_of_walls(const SoftBodyModel &model, const WallsView<double> &walls, Vec2d origin,
+                       std::span<const Vec2d> positions, std::span<Vec2d> forces);
 void add_drag(const SoftBodyModel &model, const Surroundings &surroundings, const Nodes &nodes,
               std::span<Vec2d> forces);
 

@@ -10,6 +10,7 @@ void ReferenceEngine::load(const SoftBodyModel &model, const Environment &enviro
     model_ = &model, environment_ = &environment;
     origin_ = origin_for(state.positions, environment);
     ground_ = lay_ground<double>(environment, origin_);
+    walls_ = Walls<double>(environment, origin_);
     rest_lengths_ = reference::RestLengths(model);
     nodes_ = state;
     surroundings_ = environment;
@@ -24,9 +25,11 @@ void ReferenceEngine::actuate(std::span<const double> extensions, int steps) {
 /// Rule B6: all forces are taken at the start of the step; semi-implicit Euler with the ground in between.
 Motion ReferenceEngine::step(double damping) {
     rest_lengths_.advance(); // rule G3
-    const auto forces = reference::forces_on(*model_, surroundings_, rest_lengths_.now(), nodes_);
+    auto forces = reference::forces_on(*model_, surroundings_, rest_lengths_.now(), nodes_);
+    if (!walls_.empty())
+        reference::add_pull_of_walls(*model_, walls_.view(), origin_, nodes_.positions, forces);
     accelerate(forces, damping);
-    meet_ground();
+    walls_.empty() ? meet_ground() : meet_walls();
     move();
     return reference::motion_of(nodes_.velocities, *model_); // rule B7
 }
@@ -50,6 +53,14 @@ void ReferenceEngine::meet_ground() {
         Vec2d &v = nodes_.velocities[i];
         v = ground_.size() == 1 ? ground_contact(x, v, ground_[0].plane, friction, dt)
                                 : contact_on_way(ground_, piece_below(ground_, x.x, 0), x, v, friction, dt);
+    }
+}
+
+/// Decision 0024.
+void ReferenceEngine::meet_walls() {
+    for (std::size_t i = 0; i < nodes_.positions.size(); ++i) {
+        Vec2d &v = nodes_.velocities[i];
+        v = contact_with_walls(walls_.view(), nodes_.positions[i] - origin_, v, model_->time_step);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "physics/ground.h"
 #include "physics/reference/forces.h"
 #include "physics/reference/rest_lengths.h"
+#include "physics/walls.h"
 
 namespace planula {
 
@@ -26,6 +27,7 @@ class ReferenceEngine : public Engine {
   private:
     void accelerate(std::span<const Vec2d> forces, double damping);
     void meet_ground();
+    void meet_walls();
     void move();
 
     const SoftBodyModel *model_ = nullptr;
@@ -33,6 +35,7 @@ class ReferenceEngine : public Engine {
     Vec2d origin_; // that the ground counts from, world frame
     std::vector<Piece<double>> ground_;
     reference::Surroundings surroundings_;
+    Walls<double> walls_; // in place of the ground, if there are some
     reference::RestLengths rest_lengths_;
     reference::Nodes nodes_;
 };

@@ -111,12 +111,63 @@ BOOST_AUTO_TEST_CASE(a_ground_function_is_called_from_end_to_end_only) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(obstacles_ceilings_patches_and_objects_are_read) {
+    const Environment world =
+        environment_of("paper.terrestrial { obstacles = { { { 5, 0 }, { 7, 0 }, { 6, 3 } }, "
+                       "{ points = { { -9, 0 }, { -7, 0 }, { -8, 2 } }, friction = "
+                       "'friction' } }, ceiling = { height = function(x) return 9 + x * x end, "
+                       "from = -1, to = 1, step = 1 }, friction_patches = { { from = -3, "
+                       "to = 2, friction = 0.1 } }, object = { at = { -4, 2 }, radius = 1 } }")
+            .environment;
+    BOOST_TEST_REQUIRE(world.obstacles.size() == 2u);
+    BOOST_TEST(!world.obstacles[0].friction);
+    BOOST_TEST((world.obstacles[0].points[2] == Vec2d{6, 3}));
+    BOOST_TEST(world.obstacles[1].friction.value() == 0.8);
+    BOOST_TEST((world.ceiling == std::vector<Vec2d>{{-1, 10}, {0, 9}, {1, 10}}));
+    BOOST_TEST(world.friction_patches.at(0).to == 2);
+    BOOST_TEST(world.object.cells() == 7);
+    const Environment shaped =
+        environment_of(
+            "paper.terrestrial { object = { at = { 5, 1 }, shape = { { 0, 0 }, { 3, 0 }, { 3, 1 }, "
+            "{ 0, 1 } } } }")
+            .environment;
+    BOOST_TEST(shaped.object.cells() == 7);
+}
+
+BOOST_AUTO_TEST_CASE(a_bad_obstacle_is_refused_on_its_line) {
+    const auto refused_with = [](const std::string &key, const std::string &message) {
+        const std::string found = refused_body("environment = paper.terrestrial {\n" + key + " }");
+        BOOST_TEST(test::contains(found, message), found);
+        BOOST_TEST(test::contains(found, "test.lua:"), found);
+    };
+    refused_with("obstacles = { { 5, 0 }, { 6, 0 }, { 6, 2 } }",
+                 "a point of environment.obstacles[1] is {x, y}");
+    refused_with("obstacles = { points = { } }",
+                 "test.lua:4: environment.obstacles must be a list of polygons");
+    refused_with("obstacles = { { points = { { 5, 0 } }, frictoin = 1 } }", "did you mean 'friction'?");
+    refused_with("obstacles = { { { 5, 0 }, { 6, 0 } } }", "obstacle 1 needs three points or more, not 2");
+    refused_with("obstacles = { { { 5, 0 }, { 7, 2 }, { 7, 0 }, { 5, 2 } } }", "its sides 1 and 3 do");
+    refused_with("obstacles = { { { -1, 0 }, { 1, 0 }, { 0, 2 } } }",
+                 "must leave the place free where bodies start");
+    refused_with("ceiling = { { -1, 2 }, { 1, 0.5 } }",
+                 "the ceiling must be a cell or more above the ground");
+    refused_with("ceiling = 3", "environment.ceiling must be a table");
+    refused_with("friction_patches = { { from = 1, to = 0, friction = 1 } }", "from < to");
+    refused_with(
+        "friction_patches = { { from = 0, to = 2, friction = 1 }, { from = 1, to = 3, friction = 1 } }",
+        "friction patches must ascend and not overlap");
+    refused_with("object = { at = { 5, 2 } }", "environment.object needs a shape");
+    refused_with("object = { at = { 5, 2 }, radius = 0.5 }", "an object needs 3 … 500 cells");
+    refused_with("object = { at = { 5, 0 }, radius = 1 }", "above the ground by 0.1 or more");
+}
+
 BOOST_AUTO_TEST_CASE(a_bad_ground_is_refused_on_its_line) {
     const auto ground = [](const std::string &value) {
         return refused_body("environment = paper.terrestrial {\nground = " + value + " }");
     };
     BOOST_TEST(test::contains(ground("'hilly'"), "test.lua:4: environment.ground must be \"flat\""));
-    BOOST_TEST(test::contains(ground("{ { 0, 0 }, { 1 } }"), "test.lua:4: a point of the ground is {x, y}"));
+    BOOST_TEST(
+        test::contains(ground("{ { 0, 0 }, { 1 } }"), "test.lua:4: a point of environment.ground is {x, y}"));
     BOOST_TEST(test::contains(ground("{ { 0, 0 } }"), "two points or more"));
     BOOST_TEST(test::contains(ground("{ { 1, 0 }, { 0, 0 } }"), "ascend"));
     BOOST_TEST(test::contains(ground("{ height = function(x) return nil end, from = 0, to = 1, step = 1 }"),
