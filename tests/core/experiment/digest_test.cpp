@@ -149,6 +149,7 @@ BOOST_AUTO_TEST_CASE(every_field_of_an_evaluation_and_of_a_generation_is_in_the_
     Made made;
     for (Evaluation &evaluation : made.evaluations) {
         auto &[fitness, behaviour, penalty, objectives] = evaluation;
+        objectives = {0.5, 6};
         change_each(made, fitness, behaviour, penalty, objectives);
     }
     change_each(made, made.evaluations, made.scores, made.best, made.number, made.search.threshold);
@@ -159,6 +160,7 @@ BOOST_AUTO_TEST_CASE(the_digest_has_the_new_entries_of_the_archive_and_the_numbe
     change(made, made.search.entries);
     for (std::size_t i = 1; i < 3; ++i) {
         auto &[generation, genome, behaviour, novelty, fitness, objectives] = made.search.entries[i];
+        objectives = {0.5, 6};
         change_each(made, generation, genome, behaviour, novelty, fitness, objectives);
     }
     // An entry of generation 6 is in the digest of that.
