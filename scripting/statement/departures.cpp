@@ -13,11 +13,13 @@ namespace planula {
 
 namespace {
 
-/// What else an identity holds than the environment and what happens in it.
+/// Whether an item of an identity is of the environment, or of what happens to bodies in it: whether it is nothing else.
 bool is_of_environment(std::string_view key) {
-    constexpr std::string_view others[] = {"model", "seed", "actuation", "search", "engine", "start"};
-    return std::find(std::begin(others), std::end(others), key) == std::end(others) &&
-           !key.starts_with("function ") && !key.starts_with("parameter ");
+    constexpr std::string_view whole[] = {"model", "seed", "actuation", "search", "engine", "start"};
+    constexpr std::string_view first[] = {"function ", "parameter ", "objective ", "descriptor "};
+    return std::find(std::begin(whole), std::end(whole), key) == std::end(whole) &&
+           std::none_of(std::begin(first), std::end(first),
+                        [&](std::string_view each) { return key.starts_with(each); });
 }
 
 /// The key of an identity as people read it.
@@ -27,7 +29,8 @@ std::string name_of_part(const std::string &key) {
 }
 
 std::string with_unit(const std::string &value, std::string_view unit) {
-    return unit.empty() || unit == "1" ? value : value + " " + std::string(unit);
+    const bool has_unit = !unit.empty() && unit != "1" && parse_double(value);
+    return has_unit ? value + " " + std::string(unit) : value;
 }
 
 /// The number of that name, which may stand in another world: "phase 1 gravity".
@@ -223,7 +226,8 @@ std::string environment_text(const Spec &spec) {
     for (const IdentityItem &item : environment_items(spec)) {
         const std::string name = name_of_part(item.key);
         if (is_zero(item)) continue;
-        parts.push_back(name + " " + part_text(spec, name, item.value));
+        const std::string text = part_text(spec, name, item.value);
+        parts.push_back(text.ends_with(" " + name) ? text : name + " " + text);
     }
     return list_of(parts);
 }

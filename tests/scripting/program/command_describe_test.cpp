@@ -66,6 +66,22 @@ BOOST_AUTO_TEST_CASE(each_variant_departs_in_what_it_states) {
                                                   "60.00, height from 0.00 to 3.00\",flat,,stairs.lua:11\n");
 }
 
+BOOST_AUTO_TEST_CASE(what_the_paper_has_none_of_is_shown_once) {
+    const std::string tide = table_of("variants/tide.lua"), later = table_of("variants/metamorphosis.lua");
+    BOOST_TEST(
+        tide ==
+        "tide,environment,current,\"50 samples, one every 20 steps, again and again\",none,,tide.lua:13\n");
+    BOOST_TEST(contains(later, "phase 1 gravity,5 cell/t.u.²,none,,from the parameter gravity\n"), later);
+    BOOST_TEST(!contains(later, "phase 1 drag"), later);
+    const std::string text = described(
+        "search = 'nsga2', objectives = {\n"
+        "{ name = 'size', value = function(life) return life.cells end, goal = 'maximise' },\n"
+        "{ name = 'far', value = function(life) return life.displacement end, goal = 'maximise' } }");
+    BOOST_TEST(contains(text, "objective size"), text);
+    BOOST_TEST(!contains(text, "environment objective"), text);
+    BOOST_TEST(contains(text, "as in the paper: environment"), text);
+}
+
 BOOST_AUTO_TEST_CASE(every_setting_of_a_study_departs_in_its_engine) {
     const std::string table = table_of("engines.lua");
     BOOST_TEST(std::count(table.begin(), table.end(), '\n') == 8);
