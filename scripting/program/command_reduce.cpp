@@ -58,12 +58,13 @@ const Command &reduce_command() {
     static const Command command{
         "reduce",
         "FILE.lua",
-        "computes tables from runs: curves, end points, entropies, claims",
+        "computes tables from runs: curves, end points, entropies, claims, and those of the script",
         R"(Reads the runs in the folder --runs that belong to this experiment and have at least its generations, as they were at
 that length: --generations 400 shows runs of 800 generations as they were at 400. Reports each folder that is left
 out, and why.
 
-Writes CSV tables, manifest.csv last; planula columns explains them. A claim stays open while data for it are missing.)",
+Writes CSV tables, manifest.csv last; planula columns explains them. Claims are judged, and tables of the script's own
+made, by its functions of the runs. While data for them are missing, a claim stays open and a table is left out.)",
         reduce_options,
         reduce_runs};
     return command;
