@@ -122,3 +122,15 @@ BOOST_AUTO_TEST_CASE(a_known_movement_has_the_phases_and_the_damage_of_the_condi
     BOOST_TEST(known_of(memo, {with_idle_node(disc)}, given).movements == 1);
     BOOST_TEST(live(disc, given).observations.phase_finish.size() == 2u);
 }
+
+BOOST_AUTO_TEST_CASE(what_a_known_movement_tells_is_remembered_with_it) {
+    Conditions given = conditions(Actuation::oscillator);
+    given.observed.add(Observation::work);
+    given.observed.add(Observation::body);
+    given.observed.add(Observation::signals);
+    const Genome lump = lump_genome(Actuation::oscillator, 6);
+    Memo memo(given);
+    known_of(memo, {lump}, given);
+    const Known known = known_of(memo, {with_idle_node(lump), renamed(lump)}, given);
+    BOOST_TEST((known.lives == 1 && known.movements == 1));
+}
