@@ -3,8 +3,10 @@
 
 #include "evaluation/rhythm.h"
 #include "physics/energy.h"
+#include "physics/laws/contact.h"
 
 #include <algorithm>
+#include <array>
 
 namespace planula {
 
@@ -12,6 +14,28 @@ namespace {
 
 // A cell nearer to the ground touches it: wider than what the engines leave between the two, 1e-5 to 1e-3.
 constexpr double touching_distance = 0.01;
+
+/// Whether a point is that near to one of the lines from each of these points to the next.
+bool is_near(Vec2d point, std::span<const Vec2d> line) {
+    for (std::size_t i = 1; i < line.size(); ++i)
+        if (length(point - foot_on_segment(point, line[i - 1], line[i]).point) < touching_distance)
+            return true;
+    return false;
+}
+
+/// Whether a cell touches the ground, the ceiling or an obstacle.
+bool is_touching(const Environment &environment, Vec2d point) {
+    if (is_at_ground(environment, point, touching_distance)) return true;
+    const auto &ceiling = environment.ceiling;
+    if (!ceiling.empty() &&
+        (height_of(ceiling, point.x) - point.y < touching_distance || is_near(point, ceiling)))
+        return true;
+    return std::any_of(environment.obstacles.begin(), environment.obstacles.end(),
+                       [&](const Obstacle &obstacle) {
+                           return is_near(point, obstacle.points) ||
+                                  is_near(point, std::array{obstacle.points.back(), obstacle.points.front()});
+                       });
+}
 
 } // namespace
 
@@ -69,9 +93,9 @@ void LifeObserver::add_energy(std::span<const Vec2d> positions) {
 }
 
 void LifeObserver::add_contact(std::span<const Vec2d> positions) {
-    const auto touching = std::count_if(positions.begin(), positions.end(), [&](Vec2d position) {
-        return is_at_ground(*environment_, position, touching_distance);
-    });
+    positions = positions.first(positions.size() - static_cast<std::size_t>(model_->object_nodes));
+    const auto touching = std::count_if(positions.begin(), positions.end(),
+                                        [&](Vec2d position) { return is_touching(*environment_, position); });
     touching_steps_ += touching > 0;
     touching_cells_ += static_cast<double>(touching) / static_cast<double>(positions.size());
 }

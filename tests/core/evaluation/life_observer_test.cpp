@@ -192,6 +192,16 @@ BOOST_AUTO_TEST_CASE(a_body_at_rest_touches_the_ground_all_the_time_and_one_in_w
         }
     const auto model = soft_body(lattice(4, 2), water(), p);
     BOOST_TEST(observed(model, water(), 0.3, p, "native", wave).contact_time == 0);
+    // A body that a current holds at an obstacle.
+    Environment stream = water();
+    stream.flow = {2, 0};
+    double right = 0, left = 0;
+    for (const Vec2d at : model.positions) right = std::max(right, at.x), left = std::min(left, at.y);
+    stream.obstacles.push_back(
+        {{{right + 0.2, left - 5}, {right + 3, left - 5}, {right + 3, left + 9}, {right + 0.2, left + 9}},
+         {}});
+    BOOST_TEST(observed(soft_body(lattice(4, 2), stream, p), stream, 0.3, p, "native", still).contact_time >
+               0.5);
 }
 
 BOOST_AUTO_TEST_CASE(signals_are_told_at_the_interval_of_the_path_and_shapes_at_the_end) {
