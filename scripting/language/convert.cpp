@@ -32,7 +32,7 @@ class Converter {
             break;
         case LUA_TNUMBER:
             result.kind = Value::Kind::number;
-            result.number = lua_tonumber(L_, -1);
+            result.number = unsigned_zero(lua_tonumber(L_, -1));
             break;
         case LUA_TSTRING: {
             std::size_t size = 0;

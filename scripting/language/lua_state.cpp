@@ -7,6 +7,7 @@
 #include "language/gate.h"
 #include "language/wrap.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 
@@ -32,21 +33,34 @@ std::chrono::steady_clock::time_point from_now(double seconds) {
                                                   std::chrono::duration<double>(seconds));
 }
 
-// "name:line: " of the innermost running Lua function.
+// "name:line: " of the innermost running Lua function that is not the prelude's, if there is one.
 std::string position(lua_State *L) {
     lua_Debug frame;
-    for (int level = 0; lua_getstack(L, level, &frame); ++level)
-        if (lua_getinfo(L, "Sl", &frame) && frame.currentline > 0)
-            return std::string(frame.short_src) + ":" + to_text(frame.currentline) + ": ";
-    return "";
+    std::string inner;
+    for (int level = 0; lua_getstack(L, level, &frame); ++level) {
+        if (!lua_getinfo(L, "Sl", &frame) || frame.currentline <= 0) continue;
+        const std::string place = std::string(frame.short_src) + ":" + to_text(frame.currentline) + ": ";
+        if (frame.source != std::string_view("@planula.lua")) return place;
+        if (inner.empty()) inner = place;
+    }
+    return inner;
+}
+
+// A message of a script, cut where it is too long for people: the script may have put texts of megabytes into it.
+std::string_view shortened(lua_State *L, int index) {
+    constexpr std::size_t longest = 2000;
+    std::size_t size = 0;
+    const char *said = lua_tolstring(L, index, &size);
+    if (!said) return "an error that is not a text";
+    std::string_view message(said, std::min(size, longest));
+    return message.substr(0, message.find('\0'));
 }
 
 // The handler of errors: makes each a text that begins with its place.
 int explain(lua_State *L) {
     bool placed = false;
     {
-        const char *said = lua_tostring(L, 1);
-        const std::string message = said ? said : "an error that is not a text";
+        const std::string message(shortened(L, 1));
         placed = host_of(L).place_in(message) > 0;
         if (!placed) lua_pushstring(L, (position(L) + message).c_str());
     }
@@ -111,6 +125,8 @@ void Host::spend(lua_State *L, std::int64_t work) {
     instructions += work;
     if (instructions > limits.instructions)
         exhaust(Exhausted::instructions);
+    else if (!sources->spend(work))
+        exhaust(Exhausted::check);
     else if (work >= instructions_between_checks && std::chrono::steady_clock::now() > deadline)
         check_seconds();
     if (exhausted != Exhausted::no) luaL_error(L, "the script exceeds its limits");
@@ -133,6 +149,9 @@ std::string Host::message() const {
     case Exhausted::instructions:
         return where + "the script executes too many instructions (limit: " + to_text(limits.instructions) +
                ")";
+    case Exhausted::check:
+        return where + "the script executes too many instructions in all until it is checked (limit: " +
+               to_text(instructions_of_a_check) + ")";
     case Exhausted::allocated:
         return where + "the script allocates too much memory in one call (limit: " +
                to_text(static_cast<std::int64_t>(limits.allocated >> 20)) + " MB)";
@@ -244,10 +263,8 @@ bool LuaState::requires_in_functions() const {
 
 // The message of the error on the stack, which it removes; `place` goes in front of one that has none.
 std::string LuaState::take_message(const std::string &place) {
-    const char *said = lua_tostring(raw(), -1);
-    const std::string message = host_.exhausted != Exhausted::no ? host_.message()
-                                : said                           ? said
-                                                                 : "an error that is not a text";
+    const std::string message =
+        host_.exhausted != Exhausted::no ? host_.message() : std::string(shortened(raw(), -1));
     lua_pop(raw(), 1);
     return host_.place_in(message) > 0 ? message : place + message;
 }

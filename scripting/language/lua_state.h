@@ -37,8 +37,8 @@ struct Limits {
     double seconds = 3;                     // of a processor, during one call
 };
 
-/// Which limit a call exceeded.
-enum class Exhausted { no, instructions, allocated, memory, seconds };
+/// Which limit a call exceeded; `check`: that of Sources::spend().
+enum class Exhausted { no, instructions, check, allocated, memory, seconds };
 
 /// What one Lua state has used and may use; every function of the sandbox reaches it through its lua_State.
 struct Host {

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_source = 1 << 20; // bytes
 constexpr std::size_t most_modules = 64;
-constexpr std::size_t longest_name = 56; // Lua shortens longer ones in its own messages
+constexpr std::size_t longest_module = 200; // a name in bytes
+constexpr std::size_t longest_name = 56;    // Lua shortens longer ones in its own messages
 
 std::string read_text(const fs::path &path) {
     std::ifstream file(path, std::ios::binary);
@@ -71,9 +72,10 @@ const Source &Sources::script() const {
 }
 
 const Source &Sources::module(std::string_view name) {
-    if (!is_safe(name))
-        throw InputError("require '" + std::string(name) +
-                         "': a module's name consists of a-z, 0-9, _ and single dots or slashes");
+    if (name.size() > longest_module || !is_safe(name))
+        throw InputError(
+            "require '" + std::string(name.substr(0, longest_module)) +
+            "': a module's name consists of a-z, 0-9, _ and single dots or slashes, at most 200");
     // The same module under either separator is one module.
     std::string dotted(name), slashed(name);
     for (char &c : dotted) c = c == '/' ? '.' : c;
@@ -95,6 +97,15 @@ const Source &Sources::module(std::string_view name) {
     }
     throw InputError("no module '" + dotted + "'; looked for " + slashed + ".lua and " + slashed +
                      "/init.lua in:" + tried);
+}
+
+void Sources::limit_instructions(bool limited) {
+    limited_ = limited;
+    spent_ = 0;
+}
+
+bool Sources::spend(std::int64_t instructions) {
+    return !limited_.load(std::memory_order_relaxed) || (spent_ += instructions) <= instructions_of_a_check;
 }
 
 const Source *Sources::named(std::string_view name) const {

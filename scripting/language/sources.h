@@ -9,6 +9,8 @@
 
 #include "language/tokens.h"
 
+#include <atomic>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <memory>
@@ -28,6 +30,10 @@ struct Source {
     std::vector<Requirement> requirements;
 };
 
+/// How many instructions all Lua states of a script together may execute until it is checked. A call of a function is
+/// limited by itself; this limits scripts with thousands of calls or many settings.
+inline constexpr std::int64_t instructions_of_a_check = 200'000'000;
+
 class Sources {
   public:
     /// Throws InputError if the script cannot be read, is larger than 1 MiB, is bytecode, or uses what
@@ -44,6 +50,10 @@ class Sources {
     const Source *named(std::string_view name) const;
     /// Not while another thread runs a script.
     const std::deque<Source> &all() const { return sources_; }
+    /// Begins or ends the check of the script, during which spend() counts.
+    void limit_instructions(bool limited);
+    /// Counts instructions of any state of the script; false once they are too many.
+    bool spend(std::int64_t instructions);
     /// The sources read so far, in their order, with each function on a line of its own, and named by their number from
     /// 0: a line number tells which function it is.
     std::shared_ptr<Sources> with_functions_on_lines() const;
@@ -53,6 +63,8 @@ class Sources {
     const Source &add(std::string module, std::string name, std::string text);
 
     std::vector<std::filesystem::path> folders_;
+    std::atomic<bool> limited_ = false;
+    std::atomic<std::int64_t> spent_ = 0;
     mutable std::mutex mutex_;   // of sources_
     std::deque<Source> sources_; // a deque: references stay valid
 };

@@ -20,6 +20,13 @@ void wrap_string(lua_State *L);
 void wrap_table(lua_State *L);
 void wrap_planula(lua_State *L);
 
+/// A number without the sign of a zero: whether -0 arises depends on the processor (decision 0028).
+constexpr double unsigned_zero(double x) { return x + 0.0; }
+
+/// Throws InputError if one of the arguments `first` … `last` of the function `name` is a number that is no index or
+/// count on every processor: NaN, or beyond ±2^31.
+void check_counts(lua_State *L, const char *name, int first, int last);
+
 /// The reason why a read-only table does not have a name, for the message; "" for none.
 using WhyAbsent = std::string (*)(std::string_view name);
 

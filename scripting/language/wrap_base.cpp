@@ -5,6 +5,7 @@
 #include "language/wrap.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace planula {
 
@@ -103,13 +104,27 @@ int each_index(lua_State *L) {
     return 3;
 }
 
+// select and unpack, whose arguments from the first that is upvalue 2 on are counts; upvalues: Lua's own function, that
+// number, the name.
+int with_counts(lua_State *L) {
+    const int first = static_cast<int>(lua_tointeger(L, lua_upvalueindex(2)));
+    check_counts(L, lua_tostring(L, lua_upvalueindex(3)), first, first == 1 ? 1 : 3);
+    lua_pushvalue(L, lua_upvalueindex(1));
+    lua_insert(L, 1);
+    lua_call(L, lua_gettop(L) - 1, LUA_MULTRET);
+    return lua_gettop(L);
+}
+
 // Tables and functions are named by their type: an address differs from process to process.
 int text_of(lua_State *L) {
     luaL_checkany(L, 1);
     switch (lua_type(L, 1)) {
     case LUA_TNUMBER:
+        lua_pushnumber(L, unsigned_zero(lua_tonumber(L, 1)));
+        lua_tostring(L, -1);
+        break;
     case LUA_TSTRING:
-        lua_tostring(L, 1);
+        lua_settop(L, 1);
         break;
     case LUA_TBOOLEAN:
         lua_pushstring(L, lua_toboolean(L, 1) ? "true" : "false");
@@ -227,6 +242,16 @@ int refuse_read(lua_State *L) {
 
 } // namespace
 
+void check_counts(lua_State *L, const char *name, int first, int last) {
+    constexpr double most = 2147483647;
+    for (int i = first; i <= last && i <= lua_gettop(L); ++i) {
+        const double count = lua_tonumber(L, i);
+        if (!lua_isnumber(L, i) || (count >= -most && count <= most)) continue;
+        throw InputError(std::string(name) + ": argument " + to_text(i) + " is " + to_text(count) +
+                         ", not a number of -2147483647 … 2147483647");
+    }
+}
+
 void freeze(lua_State *L, const char *name, WhyAbsent why) {
     // A name that the table does not have is an error.
     lua_createtable(L, 0, 1);
@@ -290,8 +315,15 @@ void wrap_base(lua_State *L) {
     lua_pushcfunction(L, luaopen_base);
     lua_call(L, 0, 0);
     lua_newtable(L);
-    for (const char *name : {"assert", "error", "select", "tonumber", "type", "unpack"}) {
+    for (const char *name : {"assert", "error", "tonumber", "type"}) {
         lua_getglobal(L, name);
+        lua_setfield(L, -2, name);
+    }
+    for (const auto &[name, first] : {std::pair{"select", 1}, std::pair{"unpack", 2}}) {
+        lua_getglobal(L, name);
+        lua_pushinteger(L, first);
+        lua_pushstring(L, name);
+        lua_pushcclosure(L, gate<with_counts>, 3);
         lua_setfield(L, -2, name);
     }
     const luaL_Reg own[] = {{"ipairs", gate<each_index>},   {"pairs", gate<sorted_pairs>},

@@ -10,13 +10,16 @@ namespace planula {
 
 namespace {
 
+// Zeros have no sign, neither those that come in nor those that go out.
+double argument(lua_State *L, int index) { return unsigned_zero(luaL_checknumber(L, index)); }
+
 template <double (*function)(double)> int unary(lua_State *L) {
-    lua_pushnumber(L, function(luaL_checknumber(L, 1)));
+    lua_pushnumber(L, unsigned_zero(function(argument(L, 1))));
     return 1;
 }
 
 template <double (*function)(double, double)> int binary(lua_State *L) {
-    lua_pushnumber(L, function(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
+    lua_pushnumber(L, unsigned_zero(function(argument(L, 1), argument(L, 2))));
     return 1;
 }
 
@@ -31,9 +34,9 @@ double remainder(double x, double y) { return std::fmod(x, y); }
 
 // The extreme of all arguments; NaN if one of them is.
 template <bool largest> int extreme(lua_State *L) {
-    double result = luaL_checknumber(L, 1);
+    double result = argument(L, 1);
     for (int i = 2; i <= lua_gettop(L); ++i) {
-        const double x = luaL_checknumber(L, i);
+        const double x = argument(L, i);
         if (std::isnan(x) || (largest ? x > result : x < result)) result = x;
     }
     lua_pushnumber(L, result);

@@ -26,10 +26,9 @@ constexpr std::size_t longest_behaviour = 16;
 constexpr double largest = 1e100; // fitness and behaviour beyond this would overflow sums and squares
 // A life is judged twice if the number of the call is a power of two or a multiple of this one.
 constexpr std::int64_t calls_between_samples = 1024;
-// Up to this many values that the functions close over are checked after every call, more values less often, but at
-// least once in most_calls_unchecked calls. To check a value takes 20 ns, to simulate a life milliseconds.
-constexpr int values_for_each_call = 64;
-constexpr int most_calls_unchecked = 256;
+// What the functions close over is checked after every life, and up to this many values after every call, so that a
+// message can name the function. To check a value takes 20 ns, to simulate a life milliseconds (decision 0028).
+constexpr int values_for_each_call = 500;
 constexpr const char *independence_rule = ": how a life is judged must not depend on other lives";
 constexpr Limits limits_of_a_call{
     .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};
@@ -69,8 +68,10 @@ class JudgingFunctions::Functions {
         if (const auto message = lua_.inspect(gate<prepare>, this, limits_of_a_call))
             throw InputError(*message);
         captures_.emplace(lua_, references_);
-        interval_ = std::clamp(captures_->values() / values_for_each_call, 1, most_calls_unchecked);
     }
+
+    /// From now on, checks what the functions close over after every call, however much that is.
+    void blame() { blames_ = true; }
 
     /// "file:line: " of the function of that name.
     std::string where(std::string_view name) {
@@ -88,9 +89,6 @@ class JudgingFunctions::Functions {
     /// The length of the run's behaviours; 0 until one is seen.
     std::size_t &length() { return length_; }
 
-    /// How many calls are made from one check of what the functions close over to the next.
-    int interval() const { return interval_; }
-
     void check_unchanged() {
         const auto changed = captures_->changed();
         if (!changed) return;
@@ -105,6 +103,7 @@ class JudgingFunctions::Functions {
         Verdict verdict;
         ask(verdict);
         slot_->life = nullptr;
+        check_unchanged();
         if (!verdict.problem.empty()) verdict.evaluation = {};
         return verdict;
     }
@@ -166,7 +165,7 @@ class JudgingFunctions::Functions {
         lua_rawgeti(L, LUA_REGISTRYINDEX, shown_parameters_);
         if (factor) lua_pushnumber(L, *factor);
         const auto message = lua_.call(factor ? 3 : 2, limits_of_a_call);
-        if (interval_ == 1 && captures_->changed())
+        if ((blames_ || captures_->values() <= values_for_each_call) && captures_->changed())
             throw InputError(where(name) + name + " changes what it closes over" + independence_rule);
         if (!message) return true;
         verdict.problem = *message + " (in " + name + ")";
@@ -181,7 +180,7 @@ class JudgingFunctions::Functions {
         lua_State *L = lua_.raw();
         const std::string &name = names_[function];
         const int type = lua_type(L, -1);
-        result = lua_tonumber(L, -1);
+        result = unsigned_zero(lua_tonumber(L, -1));
         lua_pop(L, 1);
         if (type != LUA_TNUMBER)
             fail_kind(name, "a number", type, verdict);
@@ -205,7 +204,7 @@ class JudgingFunctions::Functions {
         }
         for (std::size_t i = 1; i <= size && verdict.problem.empty(); ++i) {
             lua_rawgeti(L, -1, static_cast<int>(i));
-            result.push_back(lua_tonumber(L, -1));
+            result.push_back(unsigned_zero(lua_tonumber(L, -1)));
             if (lua_type(L, -1) != LUA_TNUMBER)
                 fail_kind("behaviour", "numbers", lua_type(L, -1), verdict);
             else if (!(std::abs(result.back()) <= largest))
@@ -238,20 +237,27 @@ class JudgingFunctions::Functions {
     std::size_t numbers_ = 0;        // that the descriptor names; 0: it names none
     int life_ = 0, shown_parameters_ = 0;
     std::optional<Captures> captures_;
-    int interval_ = 1;
+    bool blames_ = false;
     std::size_t length_ = 0;
 };
 
 JudgingFunctions::JudgingFunctions(std::shared_ptr<Sources> sources, int index, const Parameters &parameters,
                                    Stage stage)
-    : sources_(std::move(sources)), index_(index), parameters_(parameters), stage_(stage) {
-    begin_run();
-}
+    : sources_(std::move(sources)), index_(index), parameters_(parameters), stage_(stage) {}
 
 JudgingFunctions::~JudgingFunctions() = default;
 
+JudgingFunctions::Functions &JudgingFunctions::functions() const {
+    if (!functions_) functions_ = fresh_functions();
+    return *functions_;
+}
+
+std::unique_ptr<JudgingFunctions::Functions> JudgingFunctions::fresh_functions() const {
+    return std::make_unique<Functions>(sources_, index_, parameters_, stage_);
+}
+
 void JudgingFunctions::begin_run() {
-    functions_ = std::make_unique<Functions>(sources_, index_, parameters_, stage_);
+    functions_.reset();
     calls_ = invalid_ = 0;
     first_problem_.clear();
 }
@@ -261,29 +267,36 @@ void JudgingFunctions::continue_run(const std::string &memory) {
     StateReader reader(memory);
     reader.group("judge");
     constexpr std::int64_t most = std::int64_t{1} << 53;
-    functions_->length() = static_cast<std::size_t>(reader.integer(0, longest_behaviour));
+    functions().length() = static_cast<std::size_t>(reader.integer(0, longest_behaviour));
     calls_ = reader.integer(0, most);
     invalid_ = reader.integer(0, calls_);
     first_problem_ = reader.text();
     reader.done();
 }
 
-void JudgingFunctions::check_unchanged() const { functions_->check_unchanged(); }
+void JudgingFunctions::check_unchanged() const {
+    if (functions_) functions_->check_unchanged();
+}
 
 std::string JudgingFunctions::memory() const {
     check_unchanged();
     StateWriter writer;
-    writer.group("judge").integer(static_cast<std::int64_t>(functions_->length()));
+    writer.group("judge").integer(static_cast<std::int64_t>(functions().length()));
     writer.integer(calls_).integer(invalid_).text(first_problem_);
     return writer.bytes();
 }
 
 JudgingFunctions::Verdict JudgingFunctions::judge_twice(const Life &life) {
-    Functions others(sources_, index_, parameters_, stage_);
-    others.length() = functions_->length();
-    const Verdict verdict = functions_->judge(life), fresh = others.judge(life);
+    const auto others = fresh_functions();
+    others->length() = functions().length();
+    const Verdict verdict = functions().judge(life);
+    check_equal(verdict, others->judge(life));
+    return verdict;
+}
+
+void JudgingFunctions::check_equal(const Verdict &verdict, const Verdict &fresh) const {
     const auto differ = [&](const char *name) {
-        throw InputError(functions_->where(name) + name + " depends on earlier calls" +
+        throw InputError(functions().where(name) + name + " depends on earlier calls" +
                          std::string(independence_rule));
     };
     const Evaluation &a = verdict.evaluation, &b = fresh.evaluation;
@@ -291,29 +304,31 @@ JudgingFunctions::Verdict JudgingFunctions::judge_twice(const Life &life) {
     if (a.fitness != b.fitness) differ("fitness");
     if (a.behaviour != b.behaviour) differ("behaviour");
     for (std::size_t i = 0; i < a.objectives.size(); ++i)
-        if (a.objectives[i] != b.objectives[i]) differ(functions_->name_of_objective(i).c_str());
-    return verdict;
+        if (a.objectives[i] != b.objectives[i]) differ(functions().name_of_objective(i).c_str());
 }
 
 void JudgingFunctions::try_out(const ObservationSet &observed) {
     begin_run();
+    functions().blame();
     const KnownAfter known = stage_ == Stage::growth ? KnownAfter::growth : KnownAfter::locomotion;
+    std::vector<Life> lives;
+    std::vector<Verdict> verdicts;
     for (std::size_t i = 0; i < outcome_names.size(); ++i) {
-        const Life life = example_life(static_cast<Outcome>(i), known, parameters_, observed);
-        functions_->judge(life);
-        const Verdict verdict = judge_twice(life);
-        if (verdict.wrong_kind)
-            throw InputError(verdict.problem + " for an example life with outcome '" + outcome_names[i] +
-                             "'");
+        lives.push_back(example_life(static_cast<Outcome>(i), known, parameters_, observed));
+        verdicts.push_back(functions().judge(lives.back()));
+        if (verdicts.back().wrong_kind)
+            throw InputError(verdicts.back().problem + " for an example life with outcome '" +
+                             outcome_names[i] + "'");
     }
-    check_unchanged();
+    // In the opposite order, what depends on earlier calls differs.
+    const auto others = fresh_functions();
+    others->length() = functions().length();
+    for (std::size_t i = lives.size(); i-- > 0;) check_equal(verdicts[i], others->judge(lives[i]));
     begin_run();
 }
 
 JudgingFunctions::Tried JudgingFunctions::try_on(const Life &life) {
-    Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions_->judge(life);
-    if (functions_->interval() > 1 && (is_sample(calls_) || calls_ % functions_->interval() == 0))
-        check_unchanged();
+    Verdict verdict = is_sample(++calls_) ? judge_twice(life) : functions().judge(life);
     if (verdict.exhausted == Exhausted::memory || verdict.exhausted == Exhausted::seconds)
         throw InputError(verdict.problem);
     return {std::move(verdict.evaluation), std::move(verdict.problem), verdict.wrong_kind};

@@ -14,9 +14,9 @@
 // statistics changes how a life is judged.
 //
 // If a function raises an error or returns something else, the individual is invalid; it is counted, and the run goes
-// on. Functions must not keep anything from one call to the next. What they close over must not change: this is checked
-// after every call, or less often if they close over much. A sample of lives is judged a second time in a fresh Lua
-// state, with the same result.
+// on. Functions must not keep anything from one life to the next. What they close over must not change: this is checked
+// after every life. A sample of lives is judged a second time in a fresh Lua state, with the same result
+// (decision 0028).
 #pragma once
 
 #include "evaluation/life.h"
@@ -75,13 +75,17 @@ class JudgingFunctions {
   private:
     class Functions;
     struct Verdict;
+    /// Those of the run, made when they are first needed: an experiment of many settings holds few Lua states.
+    Functions &functions() const;
+    std::unique_ptr<Functions> fresh_functions() const;
     Verdict judge_twice(const Life &life);
+    void check_equal(const Verdict &verdict, const Verdict &fresh) const;
 
     std::shared_ptr<Sources> sources_;
     int index_;
     Parameters parameters_;
     Stage stage_;
-    std::unique_ptr<Functions> functions_;
+    mutable std::unique_ptr<Functions> functions_;
     std::int64_t calls_ = 0, invalid_ = 0;
     std::string first_problem_;
 };

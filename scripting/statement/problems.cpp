@@ -40,16 +40,22 @@ std::string Problems::line_of(const Place &place) const {
     return place.site.source + ":" + to_text(line);
 }
 
-void Problems::add(const Place &place, const std::string &message) { add(line_of(place) + ": " + message); }
+void Problems::add(const Place &place, const std::string &message) {
+    if (!is_full()) add(line_of(place) + ": " + message);
+}
 
 void Problems::add(const std::string &message) {
-    if (std::find(messages_.begin(), messages_.end(), message) == messages_.end())
-        messages_.push_back(message);
+    constexpr std::size_t longest = 4000; // a script may state texts of megabytes
+    const std::string shown = message.size() > longest ? message.substr(0, longest) + "…" : message;
+    if (!is_full() && std::find(messages_.begin(), messages_.end(), shown) == messages_.end())
+        messages_.push_back(shown);
 }
 
 void Problems::raise() const {
     std::string all;
     for (const std::string &message : messages_) all += (all.empty() ? "" : "\n") + message;
+    if (is_full())
+        all += "\nthese are the first " + to_text(static_cast<int>(most)) + " problems; there may be more";
     if (!all.empty()) throw InputError(all);
 }
 

@@ -35,10 +35,13 @@ class Problems {
     /// A message that has its place already.
     void add(const std::string &message);
     std::size_t count() const { return messages_.size(); }
+    /// Whether so many problems were found that further ones are not kept.
+    bool is_full() const { return messages_.size() >= most; }
     /// Throws InputError with all messages, a line each; does nothing without messages.
     void raise() const;
 
   private:
+    static constexpr std::size_t most = 100;
     const Sources &sources_;
     std::vector<std::string> messages_; // in the order found, each once
 };

@@ -29,7 +29,7 @@ Reader::Reader(const Value &table, Place place, Keys keys, Problems &problems, b
     const std::string owner = place_.words.empty() ? "the experiment" : place_.words;
     const std::vector<std::string_view> names = keys_.names();
     for (const auto &[key, value] : table_.fields)
-        if (!keys_.find(key))
+        if (!keys_.find(key) && !problems_.is_full())
             problems_.add(place_.at(key), owner + " has no '" + key + "'" + advice(key, value, keys_) +
                                               " (allowed: " + list_of(names) + ")");
     if (!list && !table_.list.empty())
@@ -88,6 +88,7 @@ std::optional<double> Reader::quantity(const std::string &key, const Parameters 
 }
 
 void check_at(const Place &place, Problems &problems, const std::function<void()> &check) {
+    if (problems.is_full()) return;
     try {
         check();
     } catch (const InputError &error) {

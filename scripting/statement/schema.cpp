@@ -302,6 +302,20 @@ class Schema {
     Parameters design_;                  // of the first setting, as the script states them
 };
 
+// While a script is checked, the instructions of all its states are limited together.
+class LimitedCheck {
+  public:
+    explicit LimitedCheck(std::shared_ptr<Sources> sources) : sources_(std::move(sources)) {
+        sources_->limit_instructions(true);
+    }
+    LimitedCheck(const LimitedCheck &) = delete;
+    LimitedCheck &operator=(const LimitedCheck &) = delete;
+    ~LimitedCheck() { sources_->limit_instructions(false); }
+
+  private:
+    std::shared_ptr<Sources> sources_;
+};
+
 } // namespace
 
 const Spec *Experiment::find(std::string_view setting) const {
@@ -325,6 +339,7 @@ Experiment load_experiment(const std::filesystem::path &script, const std::files
 }
 
 Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &overrides, Part part) {
+    const LimitedCheck limited(sources);
     return Schema(std::move(sources), overrides, part).read();
 }
 

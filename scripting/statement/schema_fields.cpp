@@ -2,6 +2,7 @@
 #include "statement/schema_fields.h"
 
 #include "base/text.h"
+#include "language/wrap.h"
 
 #include <cmath>
 #include <cstdint>
@@ -85,7 +86,7 @@ std::optional<double> sample_at(LuaState &lua, int function, double x, const Pla
     lua_pushnumber(L, x);
     if (const auto message = lua.call(1, {})) return problems.add(*message), std::nullopt;
     const bool is_number = lua_type(L, -1) == LUA_TNUMBER;
-    const double value = lua_tonumber(L, -1);
+    const double value = unsigned_zero(lua_tonumber(L, -1));
     lua_pop(L, 1);
     if (is_number && std::isfinite(value)) return value;
     problems.add(place, place.words + "(" + to_text(x) + ") must return a finite number");

@@ -7,6 +7,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace planula;
@@ -22,6 +23,8 @@ BOOST_AUTO_TEST_CASE(numbers_round_trip_to_the_bit) {
     }
     BOOST_TEST(to_text(0.1) == "0.1");
     BOOST_TEST(to_fixed(2.0 / 3, 2) == "0.67");
+    for (const double sign : {1.0, -1.0})
+        BOOST_TEST(to_text(std::copysign(std::numeric_limits<double>::quiet_NaN(), sign)) == "nan");
 }
 
 BOOST_AUTO_TEST_CASE(only_whole_texts_are_numbers) {

@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: too many instructions
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  behaviour = function(life, parameters) while true do end end,
+}

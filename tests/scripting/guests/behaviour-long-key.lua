@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: life has no 'kkkk
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  behaviour = function(life, parameters) return life[("k"):rep(2e6)] end,
+}

@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: stack overflow
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  behaviour = function(life, parameters) local function f() return 1 + f() end return f() end,
+}

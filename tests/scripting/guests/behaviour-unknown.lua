@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: life has no 'fitnes'
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  behaviour = function(life, parameters) return life.fitnes end,
+}

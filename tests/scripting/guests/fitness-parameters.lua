@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: cannot be changed
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  fitness = function(life, parameters) parameters.cell_limit = 3 return 1 end,
+}

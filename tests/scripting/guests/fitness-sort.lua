@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: too many instructions
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  fitness = function(life, parameters) local t = {} for i = 1, 60000 do t[i] = -i end while true do table.sort(t) end end,
+}

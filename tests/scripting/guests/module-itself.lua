@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: requires itself
+require "hostile.itself"

@@ -1,0 +1,4 @@
+-- SPDX-License-Identifier: MIT
+-- refused: 1 to 100
+local paper = require "paper"
+return paper.design { name = ("x"):rep(101), settings = { { name = "a" } } }

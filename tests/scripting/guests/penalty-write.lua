@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: read-only
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  penalty = function(life, parameters) life.cells = 3 return 1 end,
+}

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: takes texts and numbers, got table
+local s = string.format("%s", {})

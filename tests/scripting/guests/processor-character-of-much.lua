@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: %c cannot show
+local s = string.format("%c", 1e10)

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: no module 'ffi'
+require("ffi")

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: nothing is called 'getfenv'
+getfenv(1)

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: planula.parameters.gravity cannot be changed
+planula.parameters.gravity = 1

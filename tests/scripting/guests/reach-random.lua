@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: random numbers are not allowed
+local x = math.random()

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: a read-only table cannot be changed
+table.sort(math)

@@ -1,0 +1,7 @@
+-- SPDX-License-Identifier: MIT
+-- refused: memory
+local paper = require "paper"
+return paper.experiment {
+  name = "guest",
+  start = { generations = 2, behaviour = function(life, parameters) local t = {} while true do t[#t + 1] = { 1 } end end },
+}

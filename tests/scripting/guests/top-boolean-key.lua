@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: a key of type boolean
+return { [true] = 1 }

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: without a gap
+return { settings = { [1] = {}, [3] = {} } }

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: xxxx
+error(("x"):rep(5e6))

@@ -1,0 +1,4 @@
+-- SPDX-License-Identifier: MIT
+-- refused: a number of the FFI
+local n = 1LL
+return {}

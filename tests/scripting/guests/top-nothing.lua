@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: must return planula.experiment
+local paper = require "paper"

@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: must return planula.experiment
+return 5

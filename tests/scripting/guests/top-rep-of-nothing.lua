@@ -1,0 +1,3 @@
+-- SPDX-License-Identifier: MIT
+-- refused: not a number of
+local s = (""):rep(1e15)
