@@ -214,6 +214,9 @@ lint: ## check layering, forbidden constructs, licences, paths, format, names in
 	  if bash tests/lint/$$check.sh; then passed=$$((passed + 1)); else failed=$$((failed + 1)); fi; done; \
 	  echo "lint: $$passed passed, $$failed failed"; ((failed == 0))
 
+reference: program ## write REFERENCE.md, which lists everything that an experiment file may state and read
+	@$(PLANULA) reference > REFERENCE.md
+
 architecture: ## draw the rooms of core/CMakeLists.txt and scripting/CMakeLists.txt: paper/rooms.svg
 	@bash tests/lint/rooms.sh --draw
 
@@ -234,7 +237,7 @@ deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables \
-        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint architecture format clean deps deps-paper always
+        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:

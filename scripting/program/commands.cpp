@@ -94,7 +94,7 @@ std::vector<const Command *> all_commands() {
             &reduce_command(),  &compare_command(),     &frames_command(), &witness_command(),
             &lineage_command(), &sensitivity_command(), &genome_command(), &verify_command(),
             &merge_command(),   &signature_command(),   &pace_command(),   &parameters_command(),
-            &columns_command(), &completion_command()};
+            &columns_command(), &reference_command(),   &completion_command()};
 }
 
 int run_program(const std::vector<std::string> &words, Console &console) {

@@ -28,6 +28,7 @@ const Command &signature_command();
 const Command &pace_command();
 const Command &parameters_command();
 const Command &columns_command();
+const Command &reference_command();
 const Command &completion_command();
 
 /// All commands, in the order of --help.
