@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Far for little work: distance over the square root of the cost of transport, which is the positive work of all
--- muscles per cell and per distance. Unlike `activity` it means the same for oscillators and gene networks.
+-- Who comes far for little work? Distance over the square root of the cost of transport, which is the positive work of
+-- all muscles per cell and per distance. Unlike `activity` it means the same for oscillators and gene networks.
 local paper = require "paper"
 
 local free = 10 -- work per cell and distance that costs nothing, so that a body which only drifts scores no infinity

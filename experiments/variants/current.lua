@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A river that flows to the right. A drifting body would score well without swimming, so the fitness counts only how
--- far it came against the stream; the other functions of the judgement are the paper's.
+-- Who swims against a river that flows to the right? A drifting body would score well without swimming, so the fitness
+-- counts only how far it came against the stream; the other functions of the judgement are the paper's.
 local paper = require "paper"
 
 local function upstream(life, parameters, penalty)

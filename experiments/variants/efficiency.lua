@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
--- Distance at low cost: gene networks on land whose fitness is divided by how much their muscles switch; bodies below a
--- dozen cells do not count. Fitness and penalty are functions of a finished life, here made from the paper's own.
+-- Which walkers go far at low cost? The fitness of gene networks on land is divided by how much their muscles switch;
+-- bodies below a dozen cells do not count. Fitness and penalty are functions of a finished life, here made from the
+-- paper's own.
 local paper = require "paper"
 
 local smallest = 12 -- cells

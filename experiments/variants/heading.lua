@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Another descriptor: novelty search over the shape of the path, not only its end. Behaviour is a list of numbers of
--- any fixed length; distances between lists are Euclidean.
+-- Does novelty search find other animats if it looks at the whole path, not only at its end? Behaviour is a list of
+-- numbers of any fixed length; distances between lists are Euclidean.
 local paper = require "paper"
 
 -- Where the body was after half of its path, and at the end.

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Ground as a function of x. It is sampled once, before the first evaluation, every `step` from `from` to `to`, and is
--- straight between the samples. The hills grow with the distance from the start.
+-- Can walkers climb hills that grow with the distance from the start? Ground is a function of x, sampled once, before
+-- the first evaluation, every `step` from `from` to `to`, and straight between the samples.
 local paper = require "paper"
 
 local function height(x)

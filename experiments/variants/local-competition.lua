@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Local competition: animats compete with those of similar shape, so that small and large, slender and round ones
--- are all improved. The descriptor defines which are similar.
+-- Do small and large, slender and round animats all improve if each competes only with those of similar shape? The
+-- descriptor defines which are similar.
 local paper = require "paper"
 local descriptors = require "descriptors"
 

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- A map of the best swimmers of every size into every direction. `descriptor` names the numbers of the behaviour and
+-- What is the best swimmer of every size into every direction? `descriptor` names the numbers of the behaviour and
 -- divides the range of each into niches; archive.csv.gz lists all that entered, and the last of a niche is its elite.
 local paper = require "paper"
 

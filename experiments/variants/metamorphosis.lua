@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- One body for two worlds: it swims for half of its life, is set on land, comes to rest there, and walks on. The
+-- Is there one body for two worlds? It swims for half of its life, is set on land, comes to rest there, and walks on. The
 -- fitness is the shorter of the two ways, so that only bodies that do both score.
 local paper = require "paper"
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Fitness and novelty at once: NSGA-II prefers no individual that is both less fit and less novel than another. A
--- search is stated in one line; the behaviour is the paper's.
+-- What do fitness and novelty find together? NSGA-II prefers no individual that is both less fit and less novel than
+-- another. A search is stated in one line; the behaviour is the paper's.
 local paper = require "paper"
 
 return paper.experiment {

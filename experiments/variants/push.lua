@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A loose object, as soft as the body and without muscles, lies on the ground to the right. The fitness is how far the
--- body pushes it, in either direction.
+-- Who pushes? A loose object, as soft as the body and without muscles, lies on the ground to the right. The
+-- fitness is how far the body pushes it, in either direction.
 local paper = require "paper"
 
 local function pushed(life, parameters, penalty)

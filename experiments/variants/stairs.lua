@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Ground that is not flat, stated by points {x, y} from left to right; beyond the first and the last it is level.
--- Bodies start around x = 0. Novelty search leads animats up these stairs, since it rewards places where no animat
--- ended before.
+-- Does novelty search lead animats up stairs, since it rewards places where no animat ended before? The ground is
+-- stated by points {x, y} from left to right; beyond the first and the last it is level. Bodies start around x = 0.
 local paper = require "paper"
 
 return paper.experiment {

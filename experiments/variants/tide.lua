@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A current that changes with time: a tide that goes to and fro once in 1000 steps. A drifting body comes back to where
--- it was, so the paper's distance counts what a body swims.
+-- Who swims in a current that changes with time? The tide goes to and fro once in 1000 steps. A drifting body comes
+-- back to where it was, so the paper's distance counts what a body swims.
 local paper = require "paper"
 
 local function tide(t)

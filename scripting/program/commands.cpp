@@ -90,10 +90,10 @@ std::uint64_t seed_of(const std::string &text) {
 } // namespace
 
 std::vector<const Command *> all_commands() {
-    return {&run_command(),     &status_command(),      &check_command(),  &describe_command(),
-            &reduce_command(),  &compare_command(),     &frames_command(), &witness_command(),
-            &lineage_command(), &sensitivity_command(), &genome_command(), &verify_command(),
-            &merge_command(),   &signature_command(),   &pace_command(),   &parameters_command(),
+    return {&run_command(),     &status_command(),      &check_command(),     &describe_command(),
+            &reduce_command(),  &compare_command(),     &frames_command(),    &witness_command(),
+            &lineage_command(), &sensitivity_command(), &genome_command(),    &verify_command(),
+            &merge_command(),   &signature_command(),   &pace_command(),      &parameters_command(),
             &columns_command(), &reference_command(),   &completion_command()};
 }
 

@@ -27,8 +27,8 @@ constexpr double largest = 1e100; // fitness and behaviour beyond this would ove
 // A life is judged twice if the number of the call is a power of two or a multiple of this one.
 constexpr std::int64_t calls_between_samples = 1024;
 // What the functions close over is checked after every life, and up to this many values after every call, so that a
-// message can name the function. To check a value takes 20 ns, to simulate a life milliseconds (decision 0028).
-constexpr int values_for_each_call = 500;
+// message can name the function. To check a value takes 40 ns, to simulate a life milliseconds (decision 0028).
+constexpr int values_for_each_call = 127;
 constexpr const char *independence_rule = ": how a life is judged must not depend on other lives";
 constexpr Limits limits_of_a_call{
     .memory = 64u << 20, .allocated = 256u << 20, .instructions = 5'000'000, .seconds = 3};

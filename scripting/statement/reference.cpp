@@ -11,6 +11,7 @@
 #include "parameters/parameters.h"
 #include "physics/engine.h"
 #include "statement/keys.h"
+#include "statement/wrap_runs.h"
 
 #include <initializer_list>
 #include <iterator>
@@ -25,12 +26,13 @@ using View = std::string_view;
 constexpr View beginning = R"(# Reference
 
 Everything that an experiment file may state and read. This page is made by `make reference` from the lists that the
-program itself uses. [`README.md`](README.md#a-first-variant) shows a first experiment.
+program itself uses. [`TUTORIAL.md`](TUTORIAL.md) shows how to begin.
 
 - [The experiment file](#the-experiment-file)
 - [Searches and engines](#searches-and-engines)
 - [What a life tells](#what-a-life-tells)
 - [What scripts may call](#what-scripts-may-call)
+- [What statistics see and call](#what-statistics-see-and-call)
 - [Parameters](#parameters)
 
 **Kinds.** A *quantity* is a number, or the name of a parameter as a text: `gravity = "gravity"` takes the value of the
@@ -133,12 +135,13 @@ std::string lives() {
         {"`life.displacement`", "cell", "movement", "distance from rest to finish; 0 unless viable (Eq. 4)"});
     for (const LifeField &field : life_fields())
         if (field.is_shown)
-            text += row({code("life." + std::string(field.name)), cell(field.unit),
-                         stage_of(field.known), cell(field.meaning)});
+            text += row({code("life." + std::string(field.name)), cell(field.unit), stage_of(field.known),
+                         cell(field.meaning)});
     text += "\nThese are computed only for settings whose functions name them (decision 0026).\n" +
             head({"observation", "unit", "known after", "meaning"});
     for (const ObservationRow &each : observation_rows())
-        text += row({code("life." + std::string(each.name)), cell(each.unit), stage_of(each.known), cell(each.meaning)});
+        text += row({code("life." + std::string(each.name)), cell(each.unit), stage_of(each.known),
+                     cell(each.meaning)});
     return text;
 }
 
@@ -148,6 +151,31 @@ std::string functions() {
     text += head({"name", "use", "meaning"});
     for (const SandboxFunction &function : sandbox_functions())
         text += row({code(function.name), code(function.use), cell(function.meaning)});
+    return text;
+}
+
+constexpr std::string_view about_statistics = R"(
+The function of a claim is called as `f(runs, stats)`. `runs` shows the recorded runs, read-only: `runs.NAME` or `runs["NAME"]`
+is a setting, `#runs` and `runs[i]` are all that have runs. A setting has `name`, `title`, `generations`, `population`, and
+its runs, `setting[1]` … `setting[#setting]`, by ascending seed. A run has `seed`, `endpoints` and `archive`. A field after g
+generations is `run.best_fitness[g]`, or false where the run has no such value; `setting.best_fitness[g]` is the list of
+all runs. `run.champion.elongation[g]` is of the best individual up to then.
+([0023](paper/decisions/0023-functions-of-the-runs.md))
+)";
+
+std::string statistics() {
+    std::string text =
+        "\n## What statistics see and call\n" + std::string(about_statistics) + head({"call", "meaning"});
+#define STATISTIC(name, signature, least, most, function, meaning)                                           \
+    text += row({code("stats." #name signature), cell(meaning)});
+#define STATISTIC_NUMBER(name, meaning) text += row({code("stats." #name), cell(meaning)});
+#include "statement/wrap_stats.inl"
+    text += head({"field of a run or setting", "unit", "meaning"});
+    for (const RunField &field : run_fields())
+        text += row({code(field.name), cell(field.unit), cell(field.meaning)});
+    text += head({"field of `champion`", "unit", "meaning"});
+    for (const RunField &field : champion_fields())
+        text += row({code(field.name), cell(field.unit), cell(field.meaning)});
     return text;
 }
 
@@ -177,7 +205,8 @@ std::string parameters() {
 } // namespace
 
 std::string reference() {
-    return std::string(beginning) + keys() + searches_and_engines() + lives() + functions() + parameters();
+    return std::string(beginning) + keys() + searches_and_engines() + lives() + functions() + statistics() +
+           parameters();
 }
 
 } // namespace planula

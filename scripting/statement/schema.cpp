@@ -108,7 +108,7 @@ class Schema {
         Spec &spec = experiment_.settings.emplace_back();
         experiment_.functions.emplace_back();
         Places &world_places = experiment_.world_places.emplace_back();
-        note_places(reader, shared);
+        if (!problems_.is_full()) note_places(reader, shared);
         spec.name = reader.text("name", true);
         spec.title = reader.text("title");
         if (spec.title.empty()) spec.title = spec.name;
@@ -151,6 +151,8 @@ class Schema {
             places[key] = problems_.line_of(reader.at(key));
         const auto note = [&](const Value &parameters, const Place &place, Places &into,
                               const std::string &before) {
+            if (parameters.fields.size() > parameter_rows().size())
+                return; // unknown names, reported elsewhere
             for (const auto &[name, value] : parameters.fields)
                 into[before + name] = problems_.line_of(place.at(name, &value));
         };
