@@ -111,7 +111,7 @@ class Walk {
         if (type == LUA_TBOOLEAN)
             hash_.number(lua_toboolean(L, -1));
         else if (type == LUA_TNUMBER)
-            number(unsigned_zero(lua_tonumber(L, -1)));
+            number(lua_tonumber(L, -1));
         else if (type == LUA_TSTRING)
             text(name_at(L, -1));
         else if (type == LUA_TTABLE || type == LUA_TFUNCTION)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- refused: a point of the ground is {x, y}, two numbers
+-- refused: is {x, y}, two numbers
 local paper = require "paper"
 local points = {}
 for i = 1, 150000 do points[i] = "x" end
