@@ -115,7 +115,7 @@ class Check {
     /// Prints warnings; throws InputError with all errors, to which warnings belong if they are to be errors.
     void report() const {
         std::string errors;
-        for (const Finding &finding : findings_.all()) {
+        for (const CheckFinding &finding : findings_.all()) {
             const std::string line = line_of(finding, experiment_.settings.size());
             if (finding.is_error || arguments_.has("strict"))
                 errors += (errors.empty() ? "" : "\n") + line;

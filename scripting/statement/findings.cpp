@@ -13,8 +13,8 @@ constexpr std::size_t most_named = 6; // settings in a message
 
 } // namespace
 
-void Findings::add(const Finding &finding) {
-    const auto known = std::find_if(all_.begin(), all_.end(), [&](const Finding &each) {
+void Findings::add(const CheckFinding &finding) {
+    const auto known = std::find_if(all_.begin(), all_.end(), [&](const CheckFinding &each) {
         return each.is_error == finding.is_error && each.place == finding.place && each.text == finding.text;
     });
     if (known == all_.end())
@@ -24,10 +24,10 @@ void Findings::add(const Finding &finding) {
 }
 
 bool Findings::has_errors() const {
-    return std::any_of(all_.begin(), all_.end(), [](const Finding &each) { return each.is_error; });
+    return std::any_of(all_.begin(), all_.end(), [](const CheckFinding &each) { return each.is_error; });
 }
 
-std::string line_of(const Finding &finding, std::size_t count) {
+std::string line_of(const CheckFinding &finding, std::size_t count) {
     const std::string line = finding.place + ": " + finding.text;
     const std::size_t concerned = finding.settings.size();
     if (concerned == 0 || concerned == count) return line;

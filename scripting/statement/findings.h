@@ -9,7 +9,7 @@
 
 namespace planula {
 
-struct Finding {
+struct CheckFinding {
     bool is_error = false;
     std::string place; // "file.lua:12"
     std::string text;
@@ -18,16 +18,16 @@ struct Finding {
 
 class Findings {
   public:
-    void add(const Finding &finding);
+    void add(const CheckFinding &finding);
     /// In the order in which they were found first.
-    std::span<const Finding> all() const { return all_; }
+    std::span<const CheckFinding> all() const { return all_; }
     bool has_errors() const;
 
   private:
-    std::vector<Finding> all_;
+    std::vector<CheckFinding> all_;
 };
 
 /// "file.lua:12: text (settings a, b)", the settings only if they are not all `count` of the script's.
-std::string line_of(const Finding &finding, std::size_t count);
+std::string line_of(const CheckFinding &finding, std::size_t count);
 
 } // namespace planula

@@ -86,6 +86,8 @@ BOOST_AUTO_TEST_CASE(a_bad_fitness_is_refused) { check_guests("fitness"); }
 BOOST_AUTO_TEST_CASE(a_bad_penalty_is_refused) { check_guests("penalty"); }
 BOOST_AUTO_TEST_CASE(a_bad_behaviour_is_refused) { check_guests("behaviour"); }
 BOOST_AUTO_TEST_CASE(a_bad_start_is_refused) { check_guests("start"); }
+BOOST_AUTO_TEST_CASE(bad_objectives_are_refused) { check_guests("objective"); }
+BOOST_AUTO_TEST_CASE(bad_statistics_are_refused) { check_guests("statistics"); }
 BOOST_AUTO_TEST_CASE(functions_that_remember_are_refused) { check_guests("memory"); }
 BOOST_AUTO_TEST_CASE(what_differs_between_processors_is_refused) { check_guests("processor"); }
 BOOST_AUTO_TEST_CASE(names_stay_inside_the_output_folder) { check_guests("name"); }
