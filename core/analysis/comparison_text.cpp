@@ -47,7 +47,7 @@ class Numbers {
 /// The unit behind a number, unless the name of the measure says it.
 std::string unit_of(const Measure &measure) {
     const std::string unit = measure.unit_words();
-    return (" " + measure.words()).ends_with(unit) ? "" : unit;
+    return (" " + measure.words() + " ").find(unit + " ") == std::string::npos ? unit : "";
 }
 
 const Measure &measure_of(const ComparisonRow &row, const ComparisonPlan &plan) {
@@ -137,7 +137,7 @@ std::string sentence_of(const ComparisonRow &row, const Comparisons &comparisons
         return runs_words(row) + ", " + row.a + " and " + row.b + " had the same " + measure.words() +
                " in every pair after " + counted(comparisons.generations, "generation") + " (median " +
                numbers.of(row.median_a) + unit_of(measure) + ").";
-    const bool is_reached = measure.name.starts_with("best_");
+    const bool is_reached = measure.name == "best_fitness" || measure.name == "best_displacement";
     std::string text =
         runs_words(row) + ", " + row.a + (is_reached ? " reached" : " had") + " a median " + measure.words() +
         " of " + numbers.of(row.median_a) + unit_of(measure) + " after " +

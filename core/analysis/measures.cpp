@@ -40,13 +40,15 @@ template <class Row> void add_measures(std::vector<Measure> &all) {
 } // namespace
 
 std::string Measure::words() const {
+    if (name == "best_cells") return "number of cells of the best individual";
     std::string text = name;
     std::replace(text.begin(), text.end(), '_', ' ');
     return text;
 }
 
 std::string Measure::unit_words() const {
-    if (unit == "1" || unit == "generation" || unit == "slot") return "";
+    // Fitness is what the function of the experiment returns, which need not be a distance.
+    if (name.find("fitness") != name.npos || unit == "1" || unit == "generation" || unit == "slot") return "";
     return " " + unit + (unit.ends_with('s') ? "" : "s");
 }
 

@@ -3,8 +3,8 @@
 // novelty search and local competition", GECCO): an individual competes with those that behave like it, so that every
 // way of behaving is improved by its own measure. NSGA-II with three objectives: novelty, local competition and
 // genotypic diversity. Individuals compete by fitness; where an experiment states objectives, by each of these, which
-// makes one objective of local competition each. Genotypic diversity takes the place of crowding in the space of objectives, which would conflate
-// individuals that differ but have equal scores.
+// makes one objective of local competition each. Genotypic diversity takes the place of crowding in the space of
+// objectives, which would conflate individuals that differ but have equal scores.
 #pragma once
 
 #include "evolution/pareto_search.h"

@@ -9,8 +9,8 @@
 
 namespace planula {
 
-/// Whether, with its nodes at these positions, nothing of the soft body lies in or at a wall, no obstacle crosses it, and it is apart from the loose
-/// object. Always true without walls and object.
+/// Whether, with its nodes at these positions, nothing of the soft body lies in or at a wall, no obstacle crosses it,
+/// and it is apart from the loose object. Always true without walls and object.
 bool has_room(const SoftBodyModel &model, std::span<const Vec2d> positions, const Environment &environment);
 
 /// Whether a point is inside a polygon.

@@ -33,8 +33,9 @@ class Meanings {
     explicit Meanings(const Sources &sources);
 
     /// The meaning of the functions of setting `index` (from 0), which must be there: fitness, penalty, behaviour,
-    /// start.behaviour if it has a start, and those of its objectives, "objective <name>". Throws InputError with the place of a function that closes over more
-    /// than 200000 values or 64 MB of text, or over a value that has no order or content.
+    /// start.behaviour if it has a start, and those of its objectives, "objective <name>". Throws InputError with the
+    /// place of a function that closes over more than 200000 values or 64 MB of text, or over a value that has no order
+    /// or content.
     std::vector<FunctionMeaning> of_setting(std::size_t index);
 
     /// The same functions as texts.

@@ -14,7 +14,8 @@
 
 namespace planula {
 
-/// `source` is where the table is stated; `settings` are those that claims and endpoints may mention; `experiment` and `design` as in Analysis.
+/// `source` is where the table is stated; `settings` are those that claims and endpoints may mention; `experiment` and
+/// `design` as in Analysis.
 Analysis read_statistics(const Value &table, const Place &place, const StatisticSource &source,
                          const std::string &experiment, const Parameters &design,
                          std::span<const Spec> settings, Problems &problems);

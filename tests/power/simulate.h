@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How often the tests of the paper's claims (experiments/paper/tests.lua) say what, on runs whose truth is known, because
-// they are drawn and not evolved. Without a difference that is the size of a test, with one its power. And how often an interval
-// that is said to cover the truth in 95 of 100 cases does.
+// How often the tests of the paper's claims (experiments/paper/tests.lua) say what, on runs whose truth is known,
+// because they are drawn and not evolved. Without a difference that is the size of a test, with one its power. And how
+// often an interval that is said to cover the truth in 95 of 100 cases does.
 //
 // Everything is drawn from streams (number of the case; repetition, 0, sampling): the same table on any machine.
 #pragma once

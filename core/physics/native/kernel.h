@@ -94,8 +94,10 @@ inline int words_for(int group_count) { return (group_count + groups_per_word - 
 
 struct Kernel {
     const char *name; // as of its LaneSet
-    /// Moves all nodes from `now` to `next`.
+    /// Moves all nodes from `now` to `next`, where gravity is `fall` and there are no walls.
     StepResult (*step)(const StepTask &task, const Record *now, Record *next);
+    /// The same with any gravity, and with walls.
+    StepResult (*step_anywhere)(const StepTask &task, const Record *now, Record *next);
     /// Half the drag on each outline link, the record after them left as it is, and per node the sum of what its
     /// links have there, in their order from 0 on.
     void (*drag)(const DragTask &task, const Record *now, Force *half, float *push_x, float *push_y);

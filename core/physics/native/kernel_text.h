@@ -138,11 +138,13 @@ template <class T> struct Forced {
 };
 
 /// Moves nodes by a step: semi-implicit Euler with the ground in between (decision 0008). Returns their velocity.
-template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
+/// `anywhere`: gravity may be tilted or differ from place to place, and there may be walls.
+template <class T, bool anywhere>
+Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
     const T time_step(task.time_step), slowing(task.slowing), fall(task.fall);
     const auto &[position, velocity] = forced.nodes;
     Vec2<T> v = (velocity + forced.force * time_step) * slowing;
-    if (task.gravity)
+    if (anywhere && task.gravity)
         v += gravity_in_step(*task.gravity, position);
     else
         v.y = v.y - fall;
@@ -150,19 +152,20 @@ template <class T> Vec2<T> advance(const StepTask &task, const Forced<T> &forced
         v = contact_with_level(task, position, v);
     else if (task.pieces > 1)
         v = contact_with_line(task, forced.first, position, v);
-    else if (task.pieces == walls)
+    else if (anywhere && task.pieces == walls)
         v = contact_with_walls(task, position, v);
     store_nodes<T>({position + v * time_step, v}, next + forced.first);
     return v;
 }
 
-template <class T> [[gnu::flatten]] StepResult step(const StepTask &task, const Record *now, Record *next) {
+template <class T, bool anywhere>
+[[gnu::flatten]] StepResult step(const StepTask &task, const Record *now, Record *next) {
     const T limit(task.squared_limit);
     T fastest(0);
     auto within = fastest <= limit;
     const auto finish = [&](const Forced<T> &forced) {
         // The guard (rule B7); NaN counts as over the limit.
-        const T squared = squared_length(advance(task, forced, next));
+        const T squared = squared_length(advance<T, anywhere>(task, forced, next));
         within = within & (squared <= limit);
         fastest = max(fastest, squared);
     };
@@ -318,7 +321,8 @@ template <class T>
 /// `Pair`: lanes for what works on slots, up to those of a pair; the rest works on groups.
 template <class T, class Pair = T> Kernel kernel_of(const char *name) {
     return {name,
-            step<Pair>,
+            step<Pair, false>,
+            step<Pair, true>,
             drag<T, false>,
             drag<T, true>,
             reach_knot<Pair>,

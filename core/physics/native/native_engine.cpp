@@ -108,7 +108,8 @@ Motion NativeEngine::step(double damping) {
     knot_steps_ = std::min(knot_steps_ + 1, knot_interval_);
     task_.knot_steps = static_cast<float>(knot_steps_);
     task_.slowing = 1 - static_cast<float>(damping) * task_.time_step;
-    const auto [squared_speed, beyond] = kernel_.step(task_, now_.data(), next_.data());
+    const auto step = task_.gravity || task_.pieces == native::walls ? kernel_.step_anywhere : kernel_.step;
+    const auto [squared_speed, beyond] = step(task_, now_.data(), next_.data());
     now_.swap(next_);
     const double speed = std::sqrt(static_cast<double>(squared_speed));
     moved_ = static_cast<float>(speed) * task_.time_step;

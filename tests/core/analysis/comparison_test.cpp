@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(the_sentence_has_every_number_that_a_paper_prints) {
     };
     const std::string paired = sentence(runs);
     BOOST_TEST(paired.starts_with(
-                   "Over 10 paired seeds, a reached a median best fitness of 12.5 cells after 2 "
+                   "Over 10 paired seeds, a reached a median best fitness of 12.5 after 2 "
                    "generations, against 12.0 for b (larger in 8 of 10 pairs, Hodges–Lehmann "
                    "difference 1.1, 95 % interval 0.1 to 2.0; Wilcoxon signed-rank test, exact p = "
                    "0.020, Holm-corrected over 3 comparisons p = 0.039; A12 = 0.65, 95 % interval 0.4"),
@@ -213,14 +213,14 @@ BOOST_AUTO_TEST_CASE(the_sentence_has_every_number_that_a_paper_prints) {
     BOOST_TEST(paired.ends_with(")."));
     BOOST_TEST(
         sentence(others) ==
-        "Over 10 against 8 independent runs, a reached a median best fitness of 12.5 cells after 2 "
+        "Over 10 against 8 independent runs, a reached a median best fitness of 12.5 after 2 "
         "generations, against 12.0 for b (Hodges–Lehmann difference 1.1, 95 % interval −1.6 to 3.6; Wilcoxon "
         "rank-sum test, exact p = 0.36; A12 = 0.64).");
     BOOST_TEST(sentence(equal) ==
                "Over 10 paired seeds, a and b had the same best fitness in every pair after 2 "
-               "generations (median 12.5 cells).");
+               "generations (median 12.5).");
     BOOST_TEST(sentence(few) ==
-               "Over 3 paired seeds, a reached a median best fitness of 2 cells after 2 "
+               "Over 3 paired seeds, a reached a median best fitness of 2 after 2 "
                "generations, against 5 for b (larger in 0 of 3 pairs, Hodges–Lehmann difference "
                "−3; 3 pairs are too few for a test, whose p is never below 0.25; A12 = 0.00).");
 }

@@ -223,8 +223,7 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_the_record_does_not_know_had_its_standard_
                 std::vector<std::string>{"parameter lift: recorded with 0.5, asked for with nothing"}));
 }
 
-BOOST_AUTO_TEST_CASE(
-    a_part_of_the_environment_that_the_record_does_not_know_had_what_worlds_without_it_have) {
+BOOST_AUTO_TEST_CASE(a_part_that_the_record_does_not_know_had_what_worlds_without_it_have) {
     const Identity older = identity_of(setting(), seed);
     const auto with = [&](const std::string &key, const std::string &value, const std::string &standard) {
         Identity newer = older;
