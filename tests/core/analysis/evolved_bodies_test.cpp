@@ -19,12 +19,13 @@ namespace {
 
 const std::filesystem::path root = PLANULA_SOURCE_DIR;
 
-/// Champions of the tracked runs, by the names of their settings; none without data.
+/// The best champion of each setting in the tracked runs, by its name; none without data.
 std::map<std::string, Genome> champions() {
     std::map<std::string, std::vector<GenomeRow>> rows;
     if (std::filesystem::exists(root / "data" / BestGenomeRow::file_name))
         for (const BestGenomeRow &row : read_table<BestGenomeRow>(root / "data"))
-            rows[row.setting].push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
+            if (row.rank == 1)
+                rows[row.setting].push_back({row.kind, row.id, row.from, row.to, row.value, row.recurrent});
     std::map<std::string, Genome> genomes;
     for (const auto &[setting, genes] : rows) genomes[setting] = genome_of(genes);
     return genomes;
