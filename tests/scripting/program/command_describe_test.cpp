@@ -21,7 +21,7 @@ std::string table_of(const std::string &script) {
     std::string text = said.out.substr(said.out.find('\n') + 1);
     const std::string library = experiments_folder().string() + "/";
     for (const std::string &folder :
-         {file.parent_path().string() + "/", library, std::string("experiments/")})
+         {file.parent_path().string() + "/", library, std::string("experiments/"), std::string("../")})
         for (std::size_t at = 0; (at = text.find(folder, at)) != text.npos;) text.erase(at, folder.size());
     return std::regex_replace(text, std::regex("\\.lua:[0-9]+"), ".lua");
 }
