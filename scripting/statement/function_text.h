@@ -22,8 +22,8 @@ struct FunctionText {
 /// blanks that they have in common.
 std::vector<std::string> lines_of_function(std::span<const Token> tokens, std::size_t place);
 
-/// The value at the top of the stack: a number or text as a script writes it, of a table only that it is one, of a
-/// function its `place`.
+/// The value at the top of the stack: a number or text as a script writes it, of a long text its beginning and length, of
+/// a table only that it is one, of a function its `place`.
 std::string shown_value(lua_State *L, const std::string &place);
 
 } // namespace planula

@@ -75,6 +75,15 @@ BOOST_AUTO_TEST_CASE(a_departure_has_the_line_that_states_it) {
     BOOST_TEST(contains(table, "small.lua:2\n"), table);
 }
 
+BOOST_AUTO_TEST_CASE(of_a_long_text_that_a_function_uses_the_beginning_is_shown) {
+    const Workplace place(
+        "local paper = require 'paper'\nlocal long, lines = ('é'):rep(500), 'a\\nb'\n"
+        "return paper.experiment { name = 'x', fitness = function() return #long + #lines end }\n");
+    const Said said = planula_says({"describe", place.script(), "--csv"});
+    BOOST_TEST(contains(said.out, "é…\"\", a text of 1000 bytes"), said.out);
+    BOOST_TEST(contains(said.out, "lines = \"\"a…\"\", a text of 3 bytes"), said.out);
+}
+
 BOOST_AUTO_TEST_CASE(what_the_paper_has_none_of_is_shown_once) {
     const std::string tide = table_of("variants/tide.lua"), later = table_of("variants/metamorphosis.lua");
     BOOST_TEST(
