@@ -25,7 +25,7 @@ struct RunData;
 struct ClaimCase;
 struct Finding;
 struct OwnTable;
-class Asked;
+struct Asked;
 
 /// A claim, and the function that judges it (analysis/statistic.h).
 struct Claim {

@@ -170,8 +170,9 @@ std::vector<HeredityRow> heredity_rows(const SettingRuns &setting) {
                     known.push_back(*value);
             return known.empty() ? std::nullopt : Maybe(median(known));
         };
-        for (const auto &[column, measure] : measures)
-            row.*column = median_of([&](const GenerationRow &of_run) { return of_run.*measure; });
+        for (const auto &measure : measures)
+            row.*measure.first =
+                median_of([&](const GenerationRow &of_run) { return of_run.*measure.second; });
         row.near_best = median_of([](const GenerationRow &of_run) { return Maybe(of_run.near_best); });
         rows.push_back(row);
     }

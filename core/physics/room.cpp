@@ -27,11 +27,11 @@ bool is_clear_of_walls(const SoftBodyModel &model, std::span<const Vec2d> x, con
             clear = clear && !(Nearness<double>(view.walls[i], place).distance < least);
         });
     }
-    for (const auto [a, b] : model.links) {
-        const Vec2d low{std::min(x[a].x, x[b].x), std::min(x[a].y, x[b].y)};
-        const Vec2d high{std::max(x[a].x, x[b].x), std::max(x[a].y, x[b].y)};
+    for (const Link &link : model.links) {
+        const Vec2d a = x[link.a], b = x[link.b];
+        const Vec2d low{std::min(a.x, b.x), std::min(a.y, b.y)}, high{std::max(a.x, b.x), std::max(a.y, b.y)};
         each_wall_near(view, low, high, [&](int i) {
-            clear = clear && !(view.walls[i].pierces && crosses(view.walls[i], x[a], x[b]));
+            clear = clear && !(view.walls[i].pierces && crosses(view.walls[i], a, b));
         });
     }
     // Links hold the animat together, and the object: what holds for one node of each holds for all.
