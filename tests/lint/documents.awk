@@ -155,7 +155,7 @@ function check_name(name,   first) {
 # The words of a code span that is one identifier, or several joined by '.', ':' or '()'.
 function check_identifier(span,   list, n, i) {
     sub(/\(\)$/, "", span)
-    if (span !~ /^[A-Za-z_][A-Za-z0-9_.:-]*$/ || span ~ /^-|\.[a-z]+$/) return
+    if (span in file || span !~ /^[A-Za-z_][A-Za-z0-9_.:-]*$/ || span ~ /^-|\.[a-z]+$/) return
     n = split(span, list, /[.:]+/)
     for (i = 1; i <= n; i++) if (list[i] != "" && !(list[i] in word) && !(list[i] in target)) report("nothing is called " list[i])
 }
