@@ -139,14 +139,15 @@ exit_of() { scontrol show job "$1" | sed -nE 's/.* ExitCode=([0-9:]+).*/\1/p'; }
 has_state() { [[ $(state_of "$1") == "$2" ]]; }
 
 # ---- Held processes --------------------------------------------------------------------------------------------------
-# The program that the tasks run: planula, held in the first HOLD starts of the task as soon as it has worked for 50 ms.
+# The program that the tasks run: planula, held in the first HOLD starts of the task as soon as it has worked for 200 ms.
+# To read the script takes less, also on a busy machine; to end the run takes more.
 # The number of its process is in the name of a file then.
 cat > "$folder/planula" << END
 #!/usr/bin/env bash
 trap '' HUP # see below, where a node goes down
 if ((\${SLURM_RESTART_COUNT:-0} < \${HOLD:-0})); then
     while read -ra stat < "/proc/\$\$/stat"; do
-        if ((stat[13] + stat[14] >= 5)); then
+        if ((stat[13] + stat[14] >= 20)); then
             kill -STOP \$\$ && : > "$folder/held/\${SLURM_ARRAY_JOB_ID}_\$SLURM_ARRAY_TASK_ID.\$\$"
             break
         fi
