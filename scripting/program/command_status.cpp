@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/json.h"
 #include "base/text.h"
 #include "program/commands.h"
 #include "program/progress.h"
@@ -97,30 +98,14 @@ void print_text(const Overview &all, bool each, std::ostream &out) {
 /// A time in JSON, which is unknown until there is a rate.
 std::string seconds_text(double seconds, double rate) { return rate > 0 ? to_text(seconds) : "null"; }
 
-/// A text in JSON.
-std::string quoted(const std::string &text) {
-    std::string result = "\"";
-    for (const char letter : text) {
-        const auto code = static_cast<unsigned char>(letter);
-        if (letter == '"' || letter == '\\')
-            result.append("\\").append(1, letter);
-        else if (code < 0x20) {
-            constexpr const char *digits = "0123456789abcdef";
-            result.append("\\u00").append(1, digits[code >> 4]).append(1, digits[code & 15]);
-        } else
-            result.append(1, letter);
-    }
-    return result + '"';
-}
-
 void print_json(const Overview &all, std::ostream &out) {
     out << "{\n  \"runs\": [";
     const char *separator = "\n";
     for (const RunStatus &run : all.runs) {
-        out << separator << "    {\"folder\": " << quoted(run.folder.string())
+        out << separator << "    {\"folder\": " << json_text(run.folder.string())
             << ", \"complete\": " << run.complete << ", \"kept\": " << run.kept
             << ", \"population\": " << run.population << ", \"bytes\": " << run.bytes
-            << ", \"trouble\": " << quoted(run.trouble) << '}';
+            << ", \"trouble\": " << json_text(run.trouble) << '}';
         separator = ",\n";
     }
     out << "\n  ],\n  \"complete\": [";
