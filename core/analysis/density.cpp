@@ -28,10 +28,10 @@ struct Ended {
 std::vector<Ended> sampled_ends(const RecordedRun &run, int generations) {
     std::vector<Ended> sample;
     each_individual(run, generations, [&](const IndividualRow &row) {
-        const bool is_in =
-            is_recorded(static_cast<std::uint64_t>(run.seed), run.population, row.generation, row.slot);
+        const bool is_in = is_in_sample(run.record, static_cast<std::uint64_t>(run.seed), run.population,
+                                        row.generation, row.slot);
         if (!is_in || row.outcome != name_of(Outcome::viable)) return;
-        const double share = sample_share(recorded_share, recorded_least, run.population, row.generation + 1);
+        const double share = run.record.share(run.population, row.generation + 1);
         sample.push_back({row.generation, row.finish_x - row.rest_x, 1 / share});
     });
     return sample;

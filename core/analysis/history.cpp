@@ -60,7 +60,7 @@ class Tally {
 class Headings {
   public:
     Headings(const RecordedRun &run, int generations, double direction_distance)
-        : population_(run.population) {
+        : record_(run.record), population_(run.population) {
         each_individual(run, generations, [&](const IndividualRow &row) {
             const Vec2d moved{row.finish_x - row.rest_x, row.finish_y - row.rest_y};
             const double distance = length(moved),
@@ -90,10 +90,9 @@ class Headings {
         Vec2d unit;
     };
 
-    double share_after(int generations) const {
-        return sample_share(recorded_share, recorded_least, population_, generations);
-    }
+    double share_after(int generations) const { return record_.share(population_, generations); }
 
+    Recording record_;
     int population_;
     std::vector<Heading> headings_;
 };

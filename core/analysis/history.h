@@ -61,12 +61,12 @@ template <class Visit> void each_individual(const RecordedRun &run, int generati
         const bool is_next =
             is_new ? slot + 1 == run.population && row.generation == generation + 1 && row.slot == 0
                    : row.slot == slot + 1;
-        if (row.generation < generation || !follows || (run.record == Recording::full && !is_next))
+        if (row.generation < generation || !follows || (run.record.full && !is_next))
             reader.refuse("generation " + to_text(row.generation) + ", slot " + to_text(row.slot) +
                           " does not follow generation " + to_text(generation) + ", slot " + to_text(slot));
         generation = row.generation, slot = row.slot;
     }
-    if (run.record == Recording::full && (generation + 1 != generations || slot + 1 != run.population))
+    if (run.record.full && (generation + 1 != generations || slot + 1 != run.population))
         reader.refuse("individuals are missing at the end");
 }
 

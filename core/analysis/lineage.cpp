@@ -42,7 +42,7 @@ std::vector<LineageRow> lineage(const RecordedRun &run, std::int64_t genome, boo
     const std::string file = (run.folder / IndividualRow::file_name).string();
     // A sample may lack any of them.
     const auto refuse_missing = [&](std::int64_t id, const std::string &otherwise) {
-        if (run.record == Recording::full) throw InputError(file + ": " + otherwise);
+        if (run.record.full) throw InputError(file + ": " + otherwise);
         throw InputError(
             file + ": genome " + to_text(id) +
             " is not in the sample that the run has recorded; a lineage needs record = \"full\"");

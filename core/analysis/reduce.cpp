@@ -45,12 +45,12 @@ void read_histories(const Analysis &analysis, std::vector<SettingRuns> &settings
 
 /// The sample that the analysis takes of a run must be among the individuals that the run has recorded.
 void check_samples(const Analysis &analysis, std::span<const SettingRuns> settings) {
-    if (analysis.sample_share <= recorded_share && analysis.sample_least <= recorded_least) return;
     for (const SettingRuns &setting : settings)
         for (const RecordedRun &run : setting.runs)
-            if (run.record == Recording::sample)
+            if (!run.record.full &&
+                (analysis.sample_share > recorded_share || analysis.sample_least > run.record.least))
                 throw InputError(run.folder.string() + ": recorded as a sample of " +
-                                 to_text(recorded_share) + ", at least " + to_text(recorded_least) +
+                                 to_text(recorded_share) + ", at least " + to_text(run.record.least) +
                                  " individuals; sample_share = " + to_text(analysis.sample_share) +
                                  " and sample_least = " + to_text(analysis.sample_least) + " ask for more");
 }

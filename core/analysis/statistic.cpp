@@ -23,8 +23,8 @@ std::vector<ArchiveEntry> recorded_archive(const SettingRuns &setting, std::size
 }
 
 std::vector<EndpointRow> recorded_endpoints(const SettingRuns &setting, std::size_t run) {
-    const double share = sample_share(recorded_share, recorded_least,
-                                      setting.spec->parameters.neat.population, setting.generations);
+    const double share =
+        setting.runs[run].record.share(setting.spec->parameters.neat.population, setting.generations);
     return endpoint_rows(setting, {"", run}, share);
 }
 

@@ -54,8 +54,6 @@ void check_aims(const Aims &aims) {
 
 } // namespace
 
-const char *name_of(Recording recording) { return recording == Recording::full ? "full" : "sample"; }
-
 NetworkShape shape_of(Actuation actuation) {
     return {input::count, output::count(actuation), is_recurrent(actuation)};
 }

@@ -7,6 +7,7 @@
 #include "evolution/aims.h"
 #include "evolution/evaluation.h"
 #include "evolution/population.h"
+#include "experiment/sample.h"
 
 #include <functional>
 #include <map>
@@ -34,10 +35,6 @@ struct FunctionMeaning {
     std::string place;  // "file.lua:12", for messages; no part of the meaning
 };
 
-/// How much of a run is recorded (experiment/sample.h); no part of its results.
-enum class Recording { full, sample };
-const char *name_of(Recording recording);
-
 /// The conditions of every life, and how evolution goes. `parameters` hold population, generations and all else.
 struct Spec : Conditions {
     std::string name;            // of the setting: file-name characters, unique in its experiment
@@ -46,7 +43,7 @@ struct Spec : Conditions {
     Aims aims;                   // what it is to aim at, beside fitness and behaviour
     Judge judge;                 // called on the main thread, in slot order
     std::optional<Start> start;  // none: generation 0 is random
-    Recording record = Recording::full;
+    Recording record;
     /// Of each number of the environment that the experiment takes from a parameter (experiment/world_numbers.h) the
     /// parameter's name; no part of the conditions.
     std::map<std::string, std::string, std::less<>> world_sources;

@@ -82,7 +82,9 @@ void check_agreement(const fs::path &from, const Part &a, const fs::path &into, 
     };
     const auto lines = differences(b.record.identity, a.record.identity);
     if (!lines.empty()) refuse("they are different runs, " + lines.front());
-    if (a.record.record != b.record.record) refuse("one is recorded in full, the other as a sample");
+    if (a.record.record != b.record.record)
+        refuse("one is recorded as \"" + name_of(a.record.record) + "\", the other as \"" +
+               name_of(b.record.record) + "\"");
     const std::size_t shared = std::min(a.links.size(), b.links.size());
     for (std::size_t i = 0; i < shared; ++i)
         if (a.links[i] != b.links[i])

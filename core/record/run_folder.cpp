@@ -37,9 +37,9 @@ RunRecord read_identity(const std::filesystem::path &folder) {
     bool has_record = false;
     for (IdentityRow row; reader.next(row);) {
         if (row.key == record_key) {
-            run.record = row.value == name_of(Recording::full) ? Recording::full : Recording::sample;
-            if (row.value != name_of(run.record))
-                reader.refuse("'" + row.value + "' is neither full nor sample");
+            const std::optional<Recording> record = record_of(row.value);
+            if (!record) reader.refuse("'" + row.value + "' is neither full nor a sample");
+            run.record = *record;
             has_record = true;
             continue;
         }

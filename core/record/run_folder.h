@@ -48,7 +48,7 @@ std::filesystem::path run_folder(const std::filesystem::path &runs, const std::s
 /// What identity.csv says: who the run in a folder is, and how much of it is recorded.
 struct RunRecord {
     Identity identity;
-    Recording record = Recording::full;
+    Recording record;
 };
 
 /// Nothing if no run has begun in the folder, or there is no such folder. Throws RefusedError if the folder

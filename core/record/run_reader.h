@@ -18,7 +18,7 @@ namespace planula {
 struct RecordedRun {
     std::filesystem::path folder;
     Identity identity;
-    Recording record = Recording::full;
+    Recording record;
     std::string setting;
     std::int64_t seed = 0;
     int generations = 0, population = 0;

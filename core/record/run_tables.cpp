@@ -38,7 +38,7 @@ std::string individual_lines(const Generation &generation, const Spec &spec, std
     const int population = static_cast<int>(species.size());
     std::string text;
     for (int slot = 0; slot < population; ++slot)
-        if (spec.record == Recording::full || is_recorded(seed, population, generation.number, slot))
+        if (spec.record.full || is_in_sample(spec.record, seed, population, generation.number, slot))
             text += with_fields(
                 line_of(individual_row(generation, slot, species[static_cast<std::size_t>(slot)])),
                 objective_fields(generation.evaluations[static_cast<std::size_t>(slot)], spec.aims.stated()));

@@ -25,12 +25,10 @@ double packed_size(const std::string &text) { return static_cast<double>(pack(te
 /// Individuals that a run of this setting records.
 double recorded_individuals(const Spec &setting) {
     const Parameters &p = setting.parameters;
-    if (setting.record == Recording::full)
-        return static_cast<double>(p.neat.population) * p.design.generations;
+    if (setting.record.full) return static_cast<double>(p.neat.population) * p.design.generations;
     double individuals = 0;
     for (int generation = 0; generation < p.design.generations; ++generation)
-        individuals += p.neat.population *
-                       sample_share(recorded_share, recorded_least, p.neat.population, generation + 1);
+        individuals += p.neat.population * setting.record.share(p.neat.population, generation + 1);
     return individuals;
 }
 
@@ -55,7 +53,7 @@ double peak_megabytes() {
 Measured measure(const Spec &setting, std::uint64_t seed, int generations, int threads,
                  const StopRequest &stop, const Observer &observe) {
     Spec spec = setting;
-    spec.record = Recording::full;
+    spec.record = full_record;
     spec.parameters.design.generations = std::min(generations, setting.parameters.design.generations);
     const bool is_short = spec.parameters.design.generations == 1;
     Measured measured;

@@ -18,7 +18,7 @@ KEY("name", "text", "", "needed", "ours", "names the experiment and the folder o
 KEY("title", "text", "", "the name", "ours", "for people; one line", "title = \"Thick water\"")
 KEY("settings", "list of tables", "", "one setting", "§3", "the settings that are compared, each a table of the keys of a setting", "settings = { { name = \"thin\" }, { name = \"thick\" } }")
 KEY("parameters", "table", "", "standard values", "ours", "departures from the standard values in all settings, by name", "parameters = { population = 40 }")
-KEY("record", "text", "", "\"full\"", "0019", "which individuals the settings record: \"full\", all of them, or \"sample\", a random sample", "record = \"sample\"")
+KEY("record", "text or whole number", "", "\"full\"", "0019", "which individuals the settings record: \"full\", all of them; or a random sample of 1 in 100, in a run with fewer individuals so many as the number says, \"sample\" for 1000", "record = 300")
 KEY("statistics", "table or text", "", "needed", "0015", "what is computed from the runs, or the name of a module that returns it", "statistics = \"paper.summary\"")
 KEY("sensitivity", "table", "", "the standard of each key", "0018", "what planula sensitivity varies", "sensitivity = { sample = 50 }")
 TABLE_END
@@ -39,7 +39,7 @@ KEY("behaviour", "function", "", "needed", "§2.7.2", "behaviour(life, parameter
 KEY("objectives", "list of tables and texts", "", "as the search", "0027", "what searches with several objectives aim at: \"nsga2\" at each, \"nslc\" at being better than similar individuals by each; functions of a life, \"fitness\" and \"novelty\"", "objectives = { { name = \"work\", value = function(life) return life.work end, goal = \"minimise\" }, \"fitness\" }")
 KEY("descriptor", "list of tables", "", "numbers without names", "0027", "names the numbers that behaviour returns, in their order, and the range of each in the map of \"map-elites\"", "descriptor = { { name = \"cells\", from = 0, to = 256, cells = 16 } }")
 KEY("start", "table", "", "generation 0 is random", "0016", "how generation 0 is evolved, by growth alone", "start = { generations = 30, behaviour = f }")
-KEY("record", "text", "", "that of the experiment", "0019", "which individuals the setting records: \"full\" or \"sample\"", "record = \"sample\"")
+KEY("record", "text or whole number", "", "that of the experiment", "0019", "which individuals the setting records: \"full\", \"sample\" or a number", "record = \"sample\"")
 TABLE_END
 
 TABLE(environment, "environment", "the world that bodies move in")

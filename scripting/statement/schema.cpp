@@ -52,7 +52,7 @@ class Schema {
             check_at(reader.at("name"), problems_, [&] { check_name("an experiment", experiment_.name); });
         experiment_.title = reader.text("title");
         if (several) {
-            record_ = recording(reader, Recording::full);
+            record_ = recording(reader, full_record);
             read_settings(reader);
         } else
             read_setting(reader, nullptr);
@@ -175,9 +175,15 @@ class Schema {
 
     /// What a `record` says, or else the fallback.
     static Recording recording(Reader &reader, Recording fallback) {
-        const std::string name = choice(reader, "record", false, record_names);
-        if (name.empty()) return fallback;
-        return name == name_of(Recording::full) ? Recording::full : Recording::sample;
+        const Value *stated = reader.table().find("record");
+        if (!stated) return fallback;
+        if (!stated->is(Value::Kind::number))
+            return record_of(choice(reader, "record", false, record_names)).value_or(fallback);
+        const int least = reader.whole("record");
+        if (least >= 1 && least <= recorded_most) return {.full = false, .least = least};
+        reader.report("record", reader.at("record").words + ": a sample has 1 to " + to_text(recorded_most) +
+                                    " individuals, not " + to_text(least));
+        return fallback;
     }
 
     void read_actuation(Reader &reader, Spec &spec) {
@@ -300,8 +306,8 @@ class Schema {
     Experiment experiment_;
     std::vector<std::shared_ptr<JudgingFunctions>> start_functions_;
     StatisticSource statistics_;
-    Recording record_ = Recording::full; // of settings that state none
-    Parameters design_;                  // of the first setting, as the script states them
+    Recording record_;  // of settings that state none
+    Parameters design_; // of the first setting, as the script states them
 };
 
 // While a script is checked, the instructions of all its states are limited together.

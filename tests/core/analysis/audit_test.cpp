@@ -114,7 +114,7 @@ void relink(const fs::path &folder) {
 class Audited {
   public:
     explicit Audited(const std::string &search = "novelty", int length = generations,
-                     Recording record = Recording::full)
+                     Recording record = full_record)
         : spec(quick::spec(search, length)) {
         spec.record = record;
         quick::run_on(place, spec, -1, quick::End::stopped, 1000);
@@ -279,7 +279,7 @@ std::string alter_folder(const fs::path &place, Stream &stream) {
 
 BOOST_AUTO_TEST_CASE(an_unchanged_run_agrees_with_itself_and_with_the_model) {
     for (const std::string search : {"neat", "novelty"})
-        for (const Recording record : {Recording::full, Recording::sample}) {
+        for (const Recording record : {full_record, sample_record}) {
             const Audited run(search, 27, record);
             BOOST_TEST(run.inconsistency() == "");
             for (const Stretch &stretch : stretches(open_run(run.place)))
@@ -290,9 +290,9 @@ BOOST_AUTO_TEST_CASE(an_unchanged_run_agrees_with_itself_and_with_the_model) {
 BOOST_AUTO_TEST_CASE(an_audit_takes_from_the_record_how_much_is_recorded) {
     // Of 6 individuals in a generation some are left out after 167 generations.
     constexpr int length = 180;
-    Audited run("neat", length, Recording::sample);
+    Audited run("neat", length, sample_record);
     BOOST_REQUIRE(read_table<IndividualRow>(run.place).size() < 6u * length);
-    run.spec.record = Recording::full;
+    run.spec.record = full_record;
     BOOST_TEST(run.refuted({100, length - 2}) == "");
 }
 

@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(individuals_out_of_order_or_missing_are_refused_with_their_
 BOOST_AUTO_TEST_CASE(a_sample_of_individuals_may_have_gaps_but_no_disorder) {
     const TemporaryFolder folder;
     RecordedRun run = recorded(folder);
-    run.record = Recording::sample;
+    run.record = sample_record;
     const std::string whole = individuals(run), file = (run.folder / "individuals.csv.gz").string();
     const auto line_at = [&](const std::string &start) {
         const std::size_t at = whole.find(start) + 1;

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(a_sample_has_a_lineage_unless_an_ancestor_is_missing) {
     const Family family;
     RecordedRun run = read_run(family.folder / "run");
     const auto full = lineage(run, 11, true);
-    run.record = Recording::sample;
+    run.record = sample_record;
     BOOST_TEST(lineage(run, 11, true).size() == full.size());
 
     // The mother of the youngest is not in the sample.

@@ -218,7 +218,7 @@ Analysis sampled_analysis() {
 }
 
 /// Two settings of populations of 60. A sample is smaller than the run from generation 17 on.
-std::vector<Spec> two_settings(int generations, Recording record = Recording::full) {
+std::vector<Spec> two_settings(int generations, Recording record = full_record) {
     std::vector<Spec> settings{fake_spec("ns", generations, 60, "novelty"),
                                fake_spec("neat", generations, 60)};
     for (Spec &spec : settings) spec.record = record;
@@ -242,7 +242,7 @@ void check_equal(const std::filesystem::path &one, const std::filesystem::path &
 BOOST_AUTO_TEST_CASE(runs_recorded_as_samples_give_the_tables_of_those_recorded_in_full) {
     const TemporaryFolder folder;
     constexpr int generations = 30;
-    const auto full = two_settings(generations), sample = two_settings(generations, Recording::sample);
+    const auto full = two_settings(generations), sample = two_settings(generations, sample_record);
     write_varied(folder / "full", full);
     write_varied(folder / "sample", sample);
     const auto rows = [&](const char *record) {
@@ -257,7 +257,7 @@ BOOST_AUTO_TEST_CASE(runs_recorded_as_samples_give_the_tables_of_those_recorded_
 
 BOOST_AUTO_TEST_CASE(longer_runs_give_the_tables_of_those_that_end_earlier) {
     const TemporaryFolder folder;
-    for (const Recording record : {Recording::full, Recording::sample}) {
+    for (const Recording record : {full_record, sample_record}) {
         const std::string name = name_of(record);
         const auto shorter = two_settings(20, record), longer = two_settings(27, record);
         write_varied(folder / ("short-" + name), shorter);
@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(another_result_changes_the_hash_of_the_results) {
 
 BOOST_AUTO_TEST_CASE(a_sample_is_not_asked_for_more_than_it_has) {
     const TemporaryFolder folder;
-    const auto settings = two_settings(2, Recording::sample);
+    const auto settings = two_settings(2, sample_record);
     write_varied(folder / "runs", settings);
     for (const auto &[share, least] : {std::pair{0.5, 1000}, {0.01, 1001}}) {
         Analysis analysis = sampled_analysis();

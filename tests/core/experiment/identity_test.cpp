@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(names_places_and_lengths_are_not_in_the_identity) {
     BOOST_TEST(changed([](Spec &s) { s.parameters.design.generations = 7; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.parameters.design.seeds = 7; }).empty());
     BOOST_TEST(changed([](Spec &s) { set_parameter(s.parameters, "confidence", 0.5); }).empty());
-    BOOST_TEST(changed([](Spec &s) { s.record = Recording::sample; }).empty());
+    BOOST_TEST(changed([](Spec &s) { s.record = sample_record; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.judgement[0].place = "elsewhere.lua:99"; }).empty());
     BOOST_TEST(changed([](Spec &s) { s.judge = [](const Life &) { return Evaluation{}; }; }).empty());
 }

@@ -148,10 +148,12 @@ BOOST_AUTO_TEST_CASE(another_run_in_the_place_is_refused_with_what_differs) {
                         "they are different runs, parameter add_node_rate: recorded "
                         "with 0.5, asked for with "));
     Spec sample = quick::spec();
-    sample.record = Recording::sample;
+    sample.record = sample_record;
     quick::write(three, sample);
-    BOOST_TEST(contains(refusal<InputError>(one, three), "one is recorded in full, the other as a sample"));
-    BOOST_TEST(contains(refusal<InputError>(three, one), "one is recorded in full, the other as a sample"));
+    BOOST_TEST(
+        contains(refusal<InputError>(one, three), "one is recorded as \"full\", the other as \"sample\""));
+    BOOST_TEST(
+        contains(refusal<InputError>(three, one), "one is recorded as \"sample\", the other as \"full\""));
 }
 
 BOOST_AUTO_TEST_CASE(something_else_in_the_place_is_refused) {

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_folder_has_the_identity_of_its_run_from_the_beginning) {
     const RunRecord record = recorded_run(folder / "run").value();
     BOOST_TEST(differences(record.identity, identity_of(spec, seed)).empty());
     BOOST_TEST(record.identity.sha256() == identity_of(spec, seed).sha256());
-    BOOST_TEST((record.record == Recording::full));
+    BOOST_TEST((record.record == full_record));
     BOOST_TEST(*record.identity.find("parameter gravity") == "0.3333333333333333");
 }
 
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(the_folder_of_another_run_is_refused_with_what_differs_and_
 BOOST_AUTO_TEST_CASE(a_run_is_recorded_in_full_or_as_a_sample_from_beginning_to_end) {
     const TemporaryFolder folder;
     Spec full = fake_spec("osc", 3, 4), sample = full;
-    sample.record = Recording::sample;
+    sample.record = sample_record;
     const auto one = write_fake_run(folder / "full", full, seed, life),
                two = write_fake_run(folder / "sample", sample, seed, life);
     BOOST_TEST(refusal(one, sample) ==
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_identity_is_refused_by_name_and_left_alone) {
     const std::size_t last = whole.rfind('\n', whole.size() - 2) + 1;
     BOOST_TEST(whole.substr(last) == "record,full,,\n");
     refused(whole.substr(0, last), "rows are missing at the end");
-    refused(replaced(whole, "record,full", "record,most"), "'most' is neither full nor sample");
+    refused(replaced(whole, "record,full", "record,most"), "'most' is neither full nor a sample");
     refused(whole + "seed,5,,\n", "the key 'seed' is there twice");
     refused(replaced(whole, "\nseed,", "\nsead,"), "rows are missing at the end");
     refused(replaced(whole, "key,", "kee,"), "column 1 is called 'kee'");

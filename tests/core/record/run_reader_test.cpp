@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(complete_runs_are_found_by_seed) {
     BOOST_TEST(found.runs[0].setting == "osc");
     BOOST_TEST(found.runs[0].generations == 2);
     BOOST_TEST(found.runs[0].population == 3);
-    BOOST_TEST((found.runs[0].record == Recording::full));
+    BOOST_TEST((found.runs[0].record == full_record));
     BOOST_TEST(found.runs[0].identity.sha256() == identity_of(spec, 3).sha256());
 }
 

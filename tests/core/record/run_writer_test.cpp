@@ -319,19 +319,19 @@ BOOST_AUTO_TEST_CASE(a_run_recorded_as_a_sample_differs_in_the_rows_of_individua
     const TemporaryFolder folder;
     Spec spec = fake_spec("osc", 60, 40, "novelty");
     const auto full = write_fake_run(folder / "full", spec, seed, life);
-    spec.record = Recording::sample;
+    spec.record = sample_record;
     const auto sample = write_fake_run(folder / "sample", spec, seed, life);
     for (const std::string_view file : run_tables)
         if (file != IndividualRow::file_name)
             BOOST_TEST((read_bytes(full / file) == read_bytes(sample / file)), file);
     std::vector<std::string> expected, found;
     for (const IndividualRow &row : read_table<IndividualRow>(full))
-        if (is_recorded(seed, 40, row.generation, row.slot)) expected.push_back(line_of(row));
+        if (is_in_sample(sample_record, seed, 40, row.generation, row.slot)) expected.push_back(line_of(row));
     for (const IndividualRow &row : read_table<IndividualRow>(sample)) found.push_back(line_of(row));
     BOOST_TEST((found == expected));
     BOOST_TEST(found.size() < 2200u);
     BOOST_TEST(open_run(sample).manifest.text("record") == "sample");
-    BOOST_TEST((open_run(sample).record == Recording::sample));
+    BOOST_TEST((open_run(sample).record == sample_record));
 }
 
 BOOST_AUTO_TEST_CASE(a_life_with_a_number_that_is_not_finite_is_an_internal_error) {

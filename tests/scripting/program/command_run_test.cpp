@@ -280,6 +280,11 @@ BOOST_AUTO_TEST_CASE(how_much_is_recorded_cannot_change_within_a_folder) {
             said.err);
         BOOST_TEST((all_files(place.runs()) == before));
     }
+    const Workplace place(sample);
+    BOOST_REQUIRE(place.run_says({"--seeds", "1"}).code == 0);
+    test::write(place.script(), replaced(small, "name = 'small'", "name = 'small', record = 300"));
+    BOOST_TEST(contains(place.run_says({"--seeds", "1"}).err,
+                        "holds this run with record = \"sample\", and \"sample of 300\" is asked for"));
 }
 
 BOOST_AUTO_TEST_CASE(every_folder_is_checked_before_anything_is_written) {

@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(parameters_of_a_design_hold_for_all_settings_and_each_may_c
 BOOST_AUTO_TEST_CASE(how_much_a_run_records_is_stated_for_all_settings_or_for_one) {
     const auto recordings = [](const std::string &text) {
         std::string names;
-        for (const Spec &spec : experiment(text).settings) names += std::string(name_of(spec.record)) + " ";
+        for (const Spec &spec : experiment(text).settings) names += name_of(spec.record) + " ";
         return names;
     };
     BOOST_TEST(recordings("return paper.experiment { name = 'x' }") == "full ");
@@ -310,6 +310,10 @@ BOOST_AUTO_TEST_CASE(how_much_a_run_records_is_stated_for_all_settings_or_for_on
     BOOST_TEST(recordings("return paper.design { name = 'x', record = 'sample',\n"
                           "settings = { { name = 'a' }, { name = 'b', record = 'full' } } }") ==
                "sample full ");
+    BOOST_TEST(recordings("return paper.design { name = 'x', record = 300,\n"
+                          "settings = { { name = 'a' }, { name = 'b', record = 1000 } } }") ==
+               "sample of 300 sample ");
+    BOOST_TEST(test::contains(refused_body("record = 0"), "test.lua:3: record: a sample has 1 to "));
     BOOST_TEST(
         test::contains(refused_body("record = 'sampel'"),
                        "test.lua:3: record: 'sampel' is not one of full, sample; did you mean 'sample'?"));
