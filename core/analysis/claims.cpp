@@ -30,10 +30,10 @@ int wanted_generations(const Claim &claim, const Analysis &analysis) {
     return claim.generation > 0 ? claim.generation : analysis.design.design.generations;
 }
 
-/// By which p a verdict is decided; empty if by none.
+/// By which p the verdict of the data that there are is decided; empty if by none.
 std::string deciding(const ClaimRow &row, double significance) {
-    if (row.verdict != "reproduced" && row.verdict != "contradicted") return "";
-    const bool equivalence = row.verdict == "reproduced" && row.p_equivalence.has_value();
+    if (row.verdict_reached != "reproduced" && row.verdict_reached != "contradicted") return "";
+    const bool equivalence = row.verdict_reached == "reproduced" && row.p_equivalence.has_value();
     const std::string name = equivalence ? "p_equivalence" : "p";
     const Maybe corrected = equivalence ? row.p_equivalence_holm : row.p_holm;
     return corrected.has_value() && *corrected < significance ? name + "_holm" : name;
@@ -75,8 +75,10 @@ ClaimRow judge_claim(const Claim &claim, const RunData &data) {
             .method = finding.method,
             .p_equivalence = finding.p_equivalence,
             .verdict = note.empty() ? finding.verdict : "open",
+            .verdict_reached = finding.verdict,
             .calibrated = claim.calibrated,
-            .note = note.empty() ? finding.note : note};
+            .note = note.empty() ? finding.note : note,
+            .note_reached = finding.note};
 }
 
 void correct_claims(std::span<ClaimRow> rows, double significance) {

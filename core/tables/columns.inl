@@ -373,9 +373,11 @@ COLUMN(Maybe, p_holm, "1", "p corrected after Holm, over all p and p_equivalence
 COLUMN(Maybe, p_equivalence, "1", "p-value of the test that there is no difference beyond the claim's bound; of cyclic, that the share is below it; empty for other claims")
 COLUMN(Maybe, p_equivalence_holm, "1", "p_equivalence corrected after Holm, over all p and p_equivalence of the table")
 COLUMN(std::string, verdict, "", "reproduced, contradicted, inconclusive, or open while data are missing")
-COLUMN(std::string, decided_by, "", "the column whose value below the significance decides the verdict: p_holm or p_equivalence_holm if that is, else p or p_equivalence alone; empty if none decides")
+COLUMN(std::string, verdict_reached, "", "the verdict of the runs and generations that there are, as if no more were planned: equal to verdict unless that is open; empty without data")
+COLUMN(std::string, decided_by, "", "the column whose value below the significance decides verdict_reached: p_holm or p_equivalence_holm if that is, else p or p_equivalence alone; empty if none decides")
 COLUMN(int, calibrated, "0 or 1", "1: what the claim says was used to choose the model, so that its verdict is no evidence")
-COLUMN(std::string, note, "", "what limits the verdict")
+COLUMN(std::string, note, "", "what limits the verdict; of an open one, which data are missing")
+COLUMN(std::string, note_reached, "", "what limits verdict_reached")
 END_TABLE
 
 // ---- What planula compare writes ----

@@ -38,6 +38,8 @@ BOOST_AUTO_TEST_CASE(a_row_has_what_the_function_says) {
     BOOST_TEST(row.runs_a == 6);
     BOOST_TEST(row.runs_b == 6);
     BOOST_TEST(row.note == "of the first");
+    BOOST_TEST(row.note_reached == row.note);
+    BOOST_TEST(row.verdict_reached == row.verdict);
     BOOST_TEST(judge(fake_claim(), low, high).verdict == "contradicted");
 }
 
@@ -60,11 +62,12 @@ BOOST_AUTO_TEST_CASE(a_calibrated_claim_is_judged_and_marked) {
 
 BOOST_AUTO_TEST_CASE(p_values_are_corrected_over_all_claims_and_say_which_decides) {
     Analysis analysis = fake_analysis();
-    std::vector<ClaimRow> rows{{.id = "1", .p = 0.01, .verdict = "reproduced"},
-                               {.id = "2", .p = 0.9, .p_equivalence = 0.04, .verdict = "reproduced"},
-                               {.id = "3", .verdict = "inconclusive"},
-                               {.id = "4", .p = 0.04, .p_equivalence = 0.9, .verdict = "contradicted"},
-                               {.id = "5", .p = 0.001, .verdict = "open"}};
+    std::vector<ClaimRow> rows{
+        {.id = "1", .p = 0.01, .verdict_reached = "reproduced"},
+        {.id = "2", .p = 0.9, .p_equivalence = 0.04, .verdict_reached = "reproduced"},
+        {.id = "3", .verdict_reached = "inconclusive"},
+        {.id = "4", .p = 0.04, .p_equivalence = 0.9, .verdict_reached = "contradicted"},
+        {.id = "5", .p = 0.001, .verdict = "open", .verdict_reached = "reproduced"}};
     correct_claims(rows, analysis.significance);
     // Six p-values: 0.001, 0.01, 0.04, 0.04, 0.9, 0.9
     BOOST_TEST(rows[4].p_holm.value() == 0.006, tolerance(1e-12));
@@ -76,7 +79,7 @@ BOOST_AUTO_TEST_CASE(p_values_are_corrected_over_all_claims_and_say_which_decide
     BOOST_TEST(rows[1].decided_by == "p_equivalence");
     BOOST_TEST(rows[2].decided_by == "");
     BOOST_TEST(rows[3].decided_by == "p");
-    BOOST_TEST(rows[4].decided_by == "");
+    BOOST_TEST(rows[4].decided_by == "p_holm"); // open, but decided at the generation that is reached
     rows[0].p = 0.001;
     correct_claims(rows, analysis.significance);
     BOOST_TEST(rows[0].decided_by == "p_holm");
@@ -89,6 +92,8 @@ BOOST_AUTO_TEST_CASE(data_that_end_early_leave_a_claim_open_with_its_value) {
     analysis.design.neat.population = 300;
     const ClaimRow row = judge(fake_claim(), high, low, analysis);
     BOOST_TEST(row.verdict == "open");
+    BOOST_TEST(row.verdict_reached == "reproduced");
+    BOOST_TEST(row.note_reached == "of the first");
     BOOST_TEST(row.effect.value() == 10);
     BOOST_TEST(row.generation == 2000);
     BOOST_TEST(row.at_generation == 10);
@@ -110,6 +115,7 @@ BOOST_AUTO_TEST_CASE(a_claim_about_an_early_generation_is_decided_by_early_data)
 BOOST_AUTO_TEST_CASE(a_setting_without_runs_leaves_a_claim_open_without_value) {
     const ClaimRow row = judge(fake_claim(), high, {});
     BOOST_TEST(row.verdict == "open");
+    BOOST_TEST(row.verdict_reached == "");
     BOOST_TEST(!row.effect.has_value());
     BOOST_TEST(!row.p.has_value());
     BOOST_TEST(row.at_generation == 0);

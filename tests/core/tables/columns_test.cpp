@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(headers_are_what_other_programs_expect) {
     BOOST_TEST(header_line<ClaimRow>() ==
                "id,statement,section,paper,test,setting_a,setting_b,generation,at_generation,runs_a,runs_b,"
                "effect_name,effect,low,high,p,method,p_holm,p_equivalence,p_equivalence_holm,verdict,"
-               "decided_by,calibrated,note\n");
+               "verdict_reached,decided_by,calibrated,note,note_reached\n");
     BOOST_TEST(header_line<CurveRow>() == "setting,generation,runs,mean,low,high\n");
     BOOST_TEST(header_line<LedgerRow>() == "section,name,value,standard,unit,origin,meaning\n");
 }
