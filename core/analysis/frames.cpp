@@ -141,9 +141,9 @@ class FrameWatcher {
 
     Watch watch() {
         Watch watch;
-        watch.grow = [this](int step, std::span<const Vec2d> cells, std::span<const Link>) {
+        watch.grow = [this](int step, const Embryo &embryo) {
             for (int i = 1; i < frames_per_stage; ++i)
-                if (growth_[i] == step) draw_embryo(i, step, cells);
+                if (growth_[i] == step) draw_embryo(i, step, positions(embryo));
         };
         watch.born = [this](const Body &body) { set_body(body, spec_.environment.object); };
         watch.move = [this](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {

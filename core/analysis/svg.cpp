@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/svg.h"
 
+#include "base/markup.h"
 #include "base/text.h"
 
 namespace planula::svg {
-
-namespace {
-
-std::string escaped(std::string_view text) {
-    std::string safe;
-    for (const char letter : text) {
-        if (letter == '<')
-            safe += "&lt;";
-        else if (letter == '&')
-            safe += "&amp;";
-        else
-            safe += letter;
-    }
-    return safe;
-}
-
-} // namespace
 
 std::string number(double value) { return to_fixed(value, 1); }
 std::string point(Vec2d v) { return number(v.x) + " " + number(v.y); }
@@ -29,7 +13,7 @@ std::string text(Vec2d at, std::string_view anchor, int size, std::string_view w
     std::string element = "<text x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" text-anchor=\"";
     element.append(anchor).append("\" font-size=\"").append(to_text(size)).append("\"");
     if (!more.empty()) element.append(" ").append(more);
-    return element + ">" + escaped(words) + "</text>\n";
+    return element + ">" + markup_text(words) + "</text>\n";
 }
 
 std::string line(Vec2d from, Vec2d to, std::string_view style) {

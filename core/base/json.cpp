@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/json.h"
 
+#include "base/text.h"
+
+#include <cmath>
+
 namespace planula {
 
 std::string json_text(std::string_view text) {
@@ -17,5 +21,7 @@ std::string json_text(std::string_view text) {
     }
     return result + '"';
 }
+
+std::string json_number(double value) { return std::isfinite(value) ? to_text(value) : "null"; }
 
 } // namespace planula

@@ -118,7 +118,7 @@ Outcome develop(const Network &network, Actuation actuation, const Parameters &p
             all_live = true;
             if (carries) refreshed = positions(embryo);
         }
-        if (watch) watch(step, positions(embryo), embryo.links);
+        if (watch) watch(step, embryo);
         relax(parameters.development, embryo);
     }
     return refresh(all_live, connection, embryo) ? Outcome::viable : Outcome::exploded;
@@ -145,12 +145,12 @@ Growth grow(const Network &network, Actuation actuation, const Parameters &param
 
     // The last triangulation is the template of the body; oscillators are read out over it, at time 1 (§2.6.1).
     growth.body = make_body(positions(embryo), connection.mesh());
-    if (watch) watch(parameters.development.development_steps, growth.body.positions, growth.body.mesh.links);
     if (actuation == Actuation::oscillator && !update_networks(network, actuation, 1, parameters, embryo))
         growth.outcome = Outcome::exploded;
     else if (growth.cells < parameters.development.minimum_cells)
         growth.outcome = Outcome::too_small;
     growth.tissue = read_tissue(embryo);
+    if (watch) watch(parameters.development.development_steps, embryo);
     return growth;
 }
 

@@ -8,6 +8,7 @@
 #include "body/outcome.h"
 #include "cell/channels.h"
 #include "cell/tissue.h"
+#include "development/embryo.h"
 #include "network/network.h"
 #include "parameters/parameters.h"
 
@@ -24,9 +25,9 @@ struct Growth {
     Tissue tissue; // likewise
 };
 
-/// Called before the physics of each step, and once with the finished body's mesh at step development_steps.
-using GrowthWatch =
-    std::function<void(int step, std::span<const Vec2d> positions, std::span<const Link> links)>;
+/// Called before the physics of each step, and once with the finished embryo, whose links are the body's, at step
+/// development_steps; networks that oscillators are read from have been evaluated there.
+using GrowthWatch = std::function<void(int step, const Embryo &embryo)>;
 
 Growth grow(const Network &network, Actuation actuation, const Parameters &parameters,
             const GrowthWatch &watch = {});

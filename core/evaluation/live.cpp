@@ -77,8 +77,17 @@ void tell_phases(std::span<const PhaseResult> phases, Observations &observations
     }
 }
 
+/// What the trial of a gait calls.
+MoveWatch watch_of(const Watch &watch, const Gait &gait) {
+    if (!watch.move && !watch.update) return {};
+    return [&](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
+        if (watch.move) watch.move(step, nodes, signal);
+        if (watch.update && gait.activations()) watch.update(step, *gait.activations());
+    };
+}
+
 /// Lets a body settle and move: what locomotion decides of its life.
-void move(const Network &network, const Growth &growth, const Conditions &conditions, const MoveWatch &watch,
+void move(const Network &network, const Growth &growth, const Conditions &conditions, const Watch &watch,
           const Loss *loss, Life &life) {
     const Parameters moving = refined(conditions.parameters, conditions.refinement);
     SoftBodyModel model =
@@ -89,9 +98,9 @@ void move(const Network &network, const Growth &growth, const Conditions &condit
     const auto engine = make_engine(conditions.engine);
     std::optional<LifeObserver> observer;
     if (!conditions.observed.empty()) observer.emplace(conditions.observed, moving);
-    Trial trial =
-        locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine, watch,
-                 observer ? &*observer : nullptr, {conditions.phases, loss, conditions.refinement});
+    Trial trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
+                           watch_of(watch, *gait), observer ? &*observer : nullptr,
+                           {conditions.phases, loss, conditions.refinement});
 
     // Of locomotion that ended early neither place nor distance is known.
     life.outcome = trial.outcome;
@@ -124,18 +133,18 @@ void move_damaged(const Network &network, const Growth &growth, const Conditions
     };
     if (damage.at == 0) {
         show();
-        return move(network, left, conditions, watch.move, nullptr, life);
+        return move(network, left, conditions, watch, nullptr, life);
     }
     const Parameters moving = refined(conditions.parameters, conditions.refinement);
     const Loss loss{damage.at, kept,
                     embody(left.body, conditions.environment, moving.body, moving.development.time_step)};
-    MoveWatch watch_move;
+    Watch shown = watch;
     if (watch.move)
-        watch_move = [&](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
+        shown.move = [&](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
             if (step == damage.at * conditions.refinement + 1) show();
             watch.move(step, nodes, signal);
         };
-    move(network, growth, conditions, watch_move, &loss, life);
+    move(network, growth, conditions, shown, &loss, life);
 }
 
 } // namespace
@@ -159,7 +168,7 @@ Life live(const Genome &genome, const Conditions &conditions, const Watch &watch
     if (conditions.damage)
         move_damaged(network, growth, conditions, watch, life);
     else
-        move(network, growth, conditions, watch.move, nullptr, life);
+        move(network, growth, conditions, watch, nullptr, life);
     return life;
 }
 

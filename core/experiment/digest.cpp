@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/digest.h"
 
+#include "evaluation/life_digest.h"
+
 #include <algorithm>
 #include <array>
 #include <type_traits>
@@ -9,8 +11,8 @@ namespace planula {
 
 namespace {
 
-/// Feeds records field by field. A life is fed by its list (evaluation/life.inl). Every other record is taken apart by
-/// name, so that one with a further field does not compile until that field is fed, too.
+/// Feeds records field by field. Every record but a life (evaluation/life_digest.h) is taken apart by name, so that one
+/// with a further field does not compile until that field is fed, too.
 class Feeder {
   public:
     explicit Feeder(Hash &hash) : hash_(hash) {}
@@ -30,13 +32,6 @@ class Feeder {
         for (const auto &each : list) add(each);
     }
 
-    void add(const Vec2d &point) {
-        const auto &[x, y] = point;
-        all(x, y);
-    }
-    void add(const ShapeDistribution &shape) {
-        for (const float share : shape) add(share);
-    }
     void add(const NodeGene &node) {
         const auto &[id, kind, depth] = node;
         all(id, kind, depth);
@@ -60,9 +55,7 @@ class Feeder {
                      innovations] = population;
         all(generation, genomes, species, threshold, best_ever, next_genome, next_species, innovations);
     }
-    void add(const Life &life) {
-        each_field(life, [this](const auto &field) { add(field); });
-    }
+    void add(const Life &life) { feed(hash_, life); }
     void add(const Evaluation &evaluation) {
         const auto &[fitness, behaviour, penalty, objectives] = evaluation;
         all(fitness, behaviour, penalty);

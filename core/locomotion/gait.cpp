@@ -36,6 +36,7 @@ class HeldGait : public Gait {
         gait_->keep(cells, links);
         if (!held_.empty()) keep_only(cells, held_);
     }
+    const Activations *activations() const override { return gait_->activations(); }
     double activity() const override { return gait_->activity(); }
     bool is_sound() const override { return gait_->is_sound(); }
 

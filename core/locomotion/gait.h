@@ -28,6 +28,8 @@ class Gait {
     virtual void signals(int t, std::span<double> signal) = 0;
     /// The body loses all cells but these, ascending; `links` are those among them, by their new numbers.
     virtual void keep(std::span<const int> cells, std::span<const Link> links) = 0;
+    /// Those of the cells' networks after the newest update; null with oscillators.
+    virtual const Activations *activations() const { return nullptr; }
     /// b_a of Eq. (5) over the updates so far; 0 with oscillators.
     virtual double activity() const { return 0; }
     /// False once an activation is not finite.

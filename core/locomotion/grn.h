@@ -21,6 +21,7 @@ class GrnMuscles : public Gait {
     void sense(std::span<const Vec2d> places) override;
     void signals(int t, std::span<double> signal) override;
     void keep(std::span<const int> cells, std::span<const Link> links) override;
+    const Activations *activations() const override { return &tissue_.activations; }
     double activity() const override;
     bool is_sound() const override { return sound_; }
 

@@ -2,6 +2,7 @@
 #include "storage/output.h"
 
 #include "base/check.h"
+#include "storage/gzip.h"
 #include "storage/system.h"
 
 #include <cerrno>
@@ -9,7 +10,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
-#include <zlib.h>
 
 namespace planula {
 
@@ -28,48 +28,11 @@ std::size_t read_some(int file, std::string &buffer, const std::filesystem::path
 
 } // namespace
 
-/// A gzip stream (RFC 1952) whose bytes depend on its content alone.
-class Output::Deflate {
-  public:
-    Deflate() {
-        constexpr int level = 6, gzip_window = 15 + 16, memory = 8;
-        CHECK(deflateInit2(&stream_, level, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) == Z_OK);
-        header_.time = 0;
-        header_.os = 255;
-        CHECK(deflateSetHeader(&stream_, &header_) == Z_OK);
-    }
-    ~Deflate() { deflateEnd(&stream_); }
-    Deflate(const Deflate &) = delete;
-    Deflate &operator=(const Deflate &) = delete;
-
-    /// The compressed form of further bytes; `last` ends the stream.
-    std::string compress(std::string_view bytes, bool last) {
-        std::string out;
-        stream_.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(bytes.data()));
-        stream_.avail_in = static_cast<uInt>(bytes.size());
-        int state = Z_OK;
-        do {
-            char chunk[buffer_size];
-            stream_.next_out = reinterpret_cast<Bytef *>(chunk);
-            stream_.avail_out = sizeof chunk;
-            state = deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
-            CHECK(state != Z_STREAM_ERROR);
-            out.append(chunk, sizeof chunk - stream_.avail_out);
-        } while (stream_.avail_out == 0);
-        CHECK(!last || state == Z_STREAM_END);
-        return out;
-    }
-
-  private:
-    z_stream stream_{};
-    gz_header header_{};
-};
-
 Output::Output(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
     temporary_ += ".tmp";
     file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file_ < 0) fail<CreateError>("create", path_, errno);
-    if (path_.extension() == ".gz") deflate_ = std::make_unique<Deflate>();
+    if (path_.extension() == ".gz") gzip_ = std::make_unique<Gzip>();
 }
 
 Output::~Output() {
@@ -89,7 +52,7 @@ void Output::write(std::string_view bytes) {
 }
 
 void Output::flush(bool last) {
-    const std::string bytes = deflate_ ? deflate_->compress(pending_, last) : std::move(pending_);
+    const std::string bytes = gzip_ ? gzip_->compress(pending_, last) : std::move(pending_);
     pending_.clear();
     write_all(file_, bytes, path_);
 }

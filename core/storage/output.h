@@ -17,6 +17,8 @@
 
 namespace planula {
 
+class Gzip;
+
 class Output {
   public:
     explicit Output(std::filesystem::path path);
@@ -32,13 +34,12 @@ class Output {
     const std::filesystem::path &path() const { return path_; }
 
   private:
-    class Deflate;
     void flush(bool last);
 
     std::filesystem::path path_, temporary_;
     int file_ = -1;
-    std::string pending_;              // at most a buffer full of the content
-    std::unique_ptr<Deflate> deflate_; // none: plain text
+    std::string pending_;        // at most a buffer full of the content
+    std::unique_ptr<Gzip> gzip_; // none: plain text
     Hash hash_;
 };
 

@@ -22,6 +22,7 @@ const Command &sensitivity_command();
 const Command &status_command();
 const Command &lineage_command();
 const Command &genome_command();
+const Command &replay_command();
 const Command &verify_command();
 const Command &merge_command();
 const Command &signature_command();

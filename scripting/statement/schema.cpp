@@ -333,7 +333,7 @@ const Spec *Experiment::find(std::string_view setting) const {
 }
 
 SettingForRun setting_for_run(const Experiment &experiment, std::size_t index) {
-    SettingForRun own{experiment.settings.at(index), nullptr};
+    SettingForRun own{experiment.settings.at(index), nullptr, experiment.name};
     Spec &spec = own.spec;
     own.functions = functions_of(experiment.sources, index, spec.parameters, Stage::life, spec.judge);
     if (spec.start)

@@ -69,6 +69,7 @@ Experiment load_experiment(std::shared_ptr<Sources> sources, const Overrides &ov
 struct SettingForRun {
     Spec spec;
     std::shared_ptr<JudgingFunctions> functions;
+    std::string experiment; // its name
 };
 SettingForRun setting_for_run(const Experiment &experiment, std::size_t index);
 

@@ -50,11 +50,9 @@ BOOST_AUTO_TEST_CASE(links_that_follow_moving_cells_are_those_of_a_new_triangula
                                     lump_genome(actuation, 12), line_genome(actuation, 12)};
         for (std::uint64_t seed = 1; seed <= 12; ++seed) genomes.push_back(random_genome(actuation, seed));
         for (const Genome &genome : genomes)
-            grown(genome, actuation, [](int step, auto cells, auto links) {
+            grown(genome, actuation, [](int step, const Embryo &embryo) {
                 if (step % 10 != 0) return;
-                const Mesh renewed = connect(cells, 1.5);
-                BOOST_REQUIRE(
-                    std::equal(links.begin(), links.end(), renewed.links.begin(), renewed.links.end()));
+                BOOST_REQUIRE((embryo.links == connect(positions(embryo), 1.5).links));
             });
     }
 }
@@ -63,8 +61,8 @@ BOOST_AUTO_TEST_CASE(without_inhibition_every_cell_divides_at_every_decision) {
     // A network without links: inhibitor 0, so all divide; the first decision is at step 0.
     std::vector<std::size_t> sizes(600);
     const Growth growth =
-        grown(bare_genome(Actuation::oscillator), Actuation::oscillator, [&](int step, auto cells, auto) {
-            if (step < 600) sizes[step] = cells.size();
+        grown(bare_genome(Actuation::oscillator), Actuation::oscillator, [&](int step, const Embryo &embryo) {
+            if (step < 600) sizes[step] = embryo.cells.size();
         });
     BOOST_TEST(sizes[0] == 2u);
     BOOST_TEST(sizes[29] == 2u);
@@ -138,9 +136,9 @@ BOOST_AUTO_TEST_CASE(bodies_are_connected_and_relaxed_with_links_within_the_limi
 BOOST_AUTO_TEST_CASE(the_neighbourhood_is_new_every_ten_steps_and_after_each_decision) {
     std::vector<std::vector<Link>> links;
     std::vector<std::size_t> cells;
-    grown(lump_genome(Actuation::oscillator, 6), Actuation::oscillator, [&](int, auto places, auto mesh) {
-        links.emplace_back(mesh.begin(), mesh.end());
-        cells.push_back(places.size());
+    grown(lump_genome(Actuation::oscillator, 6), Actuation::oscillator, [&](int, const Embryo &embryo) {
+        links.push_back(embryo.links);
+        cells.push_back(embryo.cells.size());
     });
     for (std::size_t step = 1; step < 600; ++step) {
         if (step % 10 != 0) BOOST_TEST((links[step] == links[step - 1]));

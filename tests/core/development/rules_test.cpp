@@ -35,8 +35,8 @@ struct Snapshot {
 /// Those at one step.
 Snapshot seen(const Genome &genome, Actuation actuation, int wanted) {
     Snapshot snapshot;
-    grown(genome, actuation, [&](int step, auto cells, auto links) {
-        if (step == wanted) snapshot = {{cells.begin(), cells.end()}, {links.begin(), links.end()}};
+    grown(genome, actuation, [&](int step, const Embryo &embryo) {
+        if (step == wanted) snapshot = {positions(embryo), embryo.links};
     });
     return snapshot;
 }
@@ -160,8 +160,8 @@ BOOST_AUTO_TEST_CASE(a_body_may_die_out_after_it_has_grown) {
 
 BOOST_AUTO_TEST_CASE(at_256_cells_development_stops) {
     int last = -1;
-    const Growth growth =
-        grown(random_genome(Actuation::grn, 126), Actuation::grn, [&](int step, auto, auto) { last = step; });
+    const Growth growth = grown(random_genome(Actuation::grn, 126), Actuation::grn,
+                                [&](int step, const Embryo &) { last = step; });
     BOOST_TEST(growth.outcome == Outcome::overgrown);
     BOOST_TEST(growth.largest == 256);
     BOOST_TEST(last < 599);

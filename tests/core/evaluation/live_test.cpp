@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(watching_changes_no_result_and_misses_no_step) {
     int grown = 0, born = 0, moved = 0;
     Vec2d last;
     Watch watch;
-    watch.grow = [&](int, auto, auto) { ++grown; };
+    watch.grow = [&](int, const Embryo &) { ++grown; };
     watch.born = [&](const Body &body) { born = body.cells(); };
     watch.move = [&](int step, std::span<const Vec2d> nodes, std::span<const double> signal) {
         BOOST_REQUIRE(step == moved++);
@@ -158,7 +158,8 @@ BOOST_AUTO_TEST_CASE(a_nudge_moves_every_node_a_little_and_depends_on_its_number
         const auto keep_first = [&](int, std::span<const Vec2d> nodes, std::span<const double>) {
             if (first.empty()) first.assign(nodes.begin(), nodes.end());
         };
-        live(lump_genome(Actuation::oscillator, 6), nudged, {.grow = {}, .born = {}, .move = keep_first});
+        live(lump_genome(Actuation::oscillator, 6), nudged,
+             {.grow = {}, .born = {}, .move = keep_first, .update = {}});
         return first;
     };
     const auto still = start({}), one = start({0.01, 0}), again = start({0.01, 0}), two = start({0.01, 1});
