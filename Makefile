@@ -278,8 +278,10 @@ $(FRAME_TABLES:%=$(FRAMES)/%.csv) &: $(OUT)/framed ;
 # Figures. Those of animats are pages that a script lays out (PAGES), the others plots of the tables. Cairo writes the date
 # of the day; it is replaced by one of equal length.
 PAGES = fig01_development fig02_model fig03_oscillator_swimmers fig04_oscillator_walkers fig05_grn_animats
-# Those of witness and of readings are drawn where the data have them.
-PLOTS = $(filter-out $(if $(wildcard $(DATA)/witness.csv),,figR2_witness) $(if $(wildcard $(DATA)/readings.csv),,figR3_readings),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
+# Those of witness and of readings are drawn where the data have them. Tables that are made here will have the witness's,
+# even if they do not exist yet.
+WITNESS_TABLES = $(if $(filter $(OUT)/data,$(DATA))$(wildcard $(DATA)/witness.csv),$(WITNESS:%=$(DATA)/%.csv))
+PLOTS = $(filter-out $(if $(WITNESS_TABLES),,figR2_witness) $(if $(wildcard $(DATA)/readings.csv),,figR3_readings),$(basename $(notdir $(wildcard paper/figures/fig*.gp))))
 FIGURE_FILES = $(PAGES:%=$(FIGURES)/%.pdf) $(PLOTS:%=$(FIGURES)/%.pdf)
 STYLE = $(filter-out $(wildcard paper/figures/fig*.gp),$(wildcard paper/figures/*.gp))
 # gnuplot's warnings, as of a setting without data, stay in a log unless it fails.
@@ -287,7 +289,7 @@ draw = gnuplot -e "$(1); out='$@.new'" $(2) 2> $@.log || { cat $@.log; exit 1; }
   LC_ALL=C sed -i 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' $@.new; mv $@.new $@
 figure-files: $(FIGURE_FILES)
 
-$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv) $(wildcard $(DATA)/witness.csv $(DATA)/readings.csv)
+$(PLOTS:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: paper/figures/%.gp $(STYLE) $(TABLES:%=$(DATA)/%.csv) $(WITNESS_TABLES) $(wildcard $(DATA)/readings.csv)
 	@mkdir -p $(FIGURES)
 	@$(call draw,data='$(DATA)',$<)
 
@@ -307,6 +309,6 @@ $(PAGES:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/page.g
 # witness, of sensitivity, of searches and of readings are left out where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) \
-    $(wildcard $(WITNESS:%=$(DATA)/%.csv) $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)
+    $(WITNESS_TABLES) $(wildcard $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FIGURES)

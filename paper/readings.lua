@@ -43,8 +43,23 @@ function readings.open(folder)
   end
 end
 
+-- The result of a function by its name, with an argument between quotes if it takes one: leaning('fitness').
+function readings.call(text)
+  local name, argument = text:match "^([%w_]+)%('?([%w_]*)'?%)$"
+  return readings[name or text](argument)
+end
+
 -- ---- Size of the data ----
 
+-- How many readings have runs.
+function readings.number()
+  local seen, count = {}, 0
+  for _, row in ipairs(runs) do
+    local name = row.setting:match '^(.*)%-%w+%-%w+%-%w+$'
+    if not seen[name] then seen[name], count = true, count + 1 end
+  end
+  return tostring(count)
+end
 function readings.generations() return typeset.show(runs[1].generations) end
 
 -- The number of runs of the settings: one number, or the lowest and the highest.
@@ -100,7 +115,8 @@ end
 local function of(rows, reading, combination, search)
   local chosen = {}
   for _, name in ipairs(search and { search } or { 'neat', 'ns' }) do
-    table.move(csv.where(rows, { setting = reading .. '-' .. combination .. '-' .. name }), 1, 1e6, #chosen + 1, chosen)
+    local found = csv.where(rows, { setting = reading .. '-' .. combination .. '-' .. name })
+    table.move(found, 1, #found, #chosen + 1, chosen)
   end
   return chosen
 end
@@ -155,6 +171,95 @@ local function outcome_cells(reading, combination)
     end
   end
   return { middle(neat), middle(ns), pairs_there > 0 and ('%d/%d'):format(ahead, pairs_there) or '' }
+end
+
+-- ---- Conclusions ----
+
+-- What the original concludes of the two searches, as columns of runs.csv in which it expects higher (1) or lower (-1)
+-- values with novelty search.
+local conclusions = {
+  fitness = { '*', 'best_fitness', 1 },
+  exploration = { 'aq', 'direction_resultant', -1, 'te', 'side_switches', 1 },
+  spread = { '*', 'fitness_spread_last', 1 },
+  sizes = { '*', 'size_entropy', 1 },
+}
+local shown = { 'fitness', 'exploration', 'spread', 'sizes' }
+
+-- Whether a reading concerns novelty search alone.
+local function is_of_novelty(name)
+  for _, group in ipairs(groups) do
+    for _, reading in ipairs(group) do if reading[1] == name then return reading[6] == '-ns' end end
+  end
+end
+
+-- How often a run of novelty search exceeds one of NEAT in the sense of a conclusion: 1 in every pair, 0 in none; no
+-- number without runs. A reading that concerns novelty search alone is compared with the standard's runs of NEAT.
+local function agreement(name, reading, combination)
+  local measure = conclusions[name]
+  local at = (measure[1] == '*' or combination:find(measure[1], 1, true)) and 1 or 4
+  local neat = of(runs, is_of_novelty(reading) and 'standard' or reading, combination, 'neat')
+  local a, b = csv.numbers(of(runs, reading, combination, 'ns'), measure[at + 1]), csv.numbers(neat, measure[at + 1])
+  if #a == 0 or #b == 0 then return nil end
+  local sum = 0
+  for _, x in ipairs(a) do
+    for _, y in ipairs(b) do sum = sum + (x == y and 0.5 or (x - y) * measure[at + 2] > 0 and 1 or 0) end
+  end
+  return sum / (#a * #b)
+end
+
+-- Calls `with` for each reading and combination that has an agreement.
+local function each_agreement(name, with)
+  for _, group in ipairs(groups) do
+    for _, reading in ipairs(group) do
+      for _, combination in ipairs(combinations) do
+        local value = agreement(name, reading[1], combination)
+        if value then with(value, reading[1], combination) end
+      end
+    end
+  end
+end
+
+-- In how many comparisons most pairs of runs agree with a conclusion: 31 of 46. In how many all do, or none.
+function readings.leaning(name)
+  local agree, total = 0, 0
+  each_agreement(name, function(value) total = total + 1; if value > 0.5 then agree = agree + 1 end end)
+  return ('%d of %d'):format(agree, total)
+end
+function readings.separated(name)
+  local all, none = 0, 0
+  each_agreement(name, function(value) all, none = all + (value == 1 and 1 or 0), none + (value == 0 and 1 or 0) end)
+  return ('%d and %d'):format(all, none)
+end
+
+-- The readings under which most pairs agree with a conclusion in no combination; none: no reading.
+function readings.against(name)
+  local best, order = {}, {}
+  each_agreement(name, function(value, reading)
+    if not best[reading] then order[#order + 1] = reading end
+    best[reading] = math.max(best[reading] or 0, value)
+  end)
+  local list = {}
+  for _, group in ipairs(groups) do
+    for _, reading in ipairs(group) do
+      if best[reading[1]] and best[reading[1]] <= 0.5 then list[#list + 1] = reading[2] end
+    end
+  end
+  return #list == 0 and 'none' or in_words(list)
+end
+
+-- The smallest p of a rank-sum test of so few runs.
+function readings.least_p()
+  local count = #csv.where(runs, { setting = runs[1].setting })
+  return typeset.probability(tables.least_p(count, count))
+end
+
+-- An agreement as a cell: green if most pairs agree, red if most do not, bold if all or none.
+local function agreement_cell(name, reading, combination)
+  local value = agreement(name, reading, combination)
+  if not value then return '' end
+  local text = value == 1 and '1' or value == 0 and '0' or (('%.2f'):format(value):gsub('^0', ''))
+  if value == 0 or value == 1 then text = '\\textbf{' .. text .. '}' end
+  return ('\\textcolor{%s}{%s}'):format(value > 0.5 and 'reproduced' or value < 0.5 and 'contradicted' or 'inconclusive', text)
 end
 
 -- ---- Tables ----
@@ -246,6 +351,27 @@ function readings.print_outcome()
   local first, rules = heads(3)
   print_tabular('l' .. ('@{\\hskip13pt}rrr'):rep(4), { first, rules, 'reading' .. (' & NEAT & NS & ahead'):rep(4) .. ' \\\\' },
     lines_of(in_all(outcome_cells)))
+end
+
+-- Which conclusions of the original hold under which reading.
+function readings.print_conclusions()
+  local titles = { 'best fitness (S1--S6)', 'exploration (S11)', 'fitness spread (S12)', 'size entropy (S13)' }
+  local first, rules, second = {}, {}, {}
+  for index, title in ipairs(titles) do
+    first[index] = ('\\multicolumn{4}{c}{%s}'):format(title)
+    rules[index] = ('\\cmidrule(l{6pt}){%d-%d}'):format(4 * index - 2, 4 * index + 1)
+  end
+  for _ = 1, 2 do for _, actuation in ipairs { 'OSC', 'GRN' } do second[#second + 1] = ('\\multicolumn{2}{c}{%s}'):format(actuation) end end
+  for index = 5, 8 do second[index] = second[index - 4] end
+  local function cells(reading)
+    local list = {}
+    for _, name in ipairs(shown) do
+      for _, combination in ipairs(combinations) do list[#list + 1] = agreement_cell(name, reading, combination) end
+    end
+    return list
+  end
+  print_tabular('l' .. ('@{\\hskip12pt}rrrr'):rep(4), { ' & ' .. row_of(first), table.concat(rules), ' & ' .. row_of(second),
+    'reading' .. (' & AQ & TE'):rep(8) .. ' \\\\' }, lines_of(cells))
 end
 
 return readings

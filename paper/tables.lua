@@ -17,7 +17,7 @@ function tables.open(data_folder)
   data, simulated = {}, {}
   for _, name in ipairs { 'power', 'coverage' } do simulated[name] = csv.read('tests/power/' .. name .. '.csv') end
   data.manifest = csv.pairs_of(data_folder .. '/manifest.csv')
-  for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'claims', 'parameters', 'endpoint_density' } do
+  for _, name in ipairs { 'settings', 'runs', 'curves', 'heredity', 'entropy', 'outcomes', 'parameters', 'endpoints', 'endpoint_density' } do
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
   -- Tables that a separate command makes; the data may lack them.
@@ -48,6 +48,19 @@ function tables.recorded_ends(setting)
   local count = 0
   for _, row in ipairs(csv.where(data.endpoint_density, { setting = setting, role = 'best' })) do count = count + tonumber(row.recorded) end
   return show(count)
+end
+
+-- A number of the run of a setting that Figures 8 and 9 show as its best or median one; the same of all runs of the
+-- setting: their median, and the lowest and highest.
+function tables.shown_run(setting, role, column)
+  local point = csv.where(data.endpoints, { setting = setting, role = role })[1]
+  local run = point and csv.where(data.runs, { setting = setting, seed = point.seed })[1]
+  return run and show(run[column]) or '--'
+end
+function tables.all_runs(setting, column)
+  local values = csv.numbers(csv.where(data.runs, { setting = setting }), column)
+  local middle = csv.median(values) -- sorts them
+  return #values > 0 and ('%s (%s to %s)'):format(show(middle), show(values[1]), show(values[#values])) or '--'
 end
 
 -- The elongation of the best individuals of the best three runs of a setting, the fittest first: 8.1, 7.9 and 3.0.
@@ -115,11 +128,30 @@ end
 
 function tables.is_complete() return data.manifest.complete == '1' end
 
--- A caution in one sentence if the data do not cover the design.
+-- What that means for the claims, if the data do not cover the design.
 function tables.caution()
   if tables.is_complete() then return '' end
-  return 'The figures therefore show only the beginning of evolution and are not yet evidence about the claims; '
-    .. 'claims for which the data do not suffice are marked open.'
+  local text = 'The figures show the beginning of evolution. Every claim has two verdicts: one of the runs and generations that '
+    .. 'there are, and one at the size of the original, which is open until the data have it.'
+  local runs = tonumber(data.manifest.seeds)
+  local least = tables.least_p(runs, runs)
+  if least < 0.05 then return text end
+  return text .. (' With %s runs of each setting a rank-sum test cannot give a $p$ below %s: no difference can be decided.')
+    :format(show(runs), typeset.probability(least))
+end
+
+-- A sentence on how many generations the data have of those planned.
+function tables.of_generations()
+  local there, planned = data.manifest.generations, data.manifest.generations_planned
+  if there == planned then return ('The data have all %s generations.'):format(show(planned)) end
+  return ('The data of this copy end after %s of %s generations.'):format(show(there), show(planned))
+end
+
+-- The smallest two-sided p that a rank-sum test of m values against n can give: two of all ways to share them out.
+function tables.least_p(m, n)
+  local ways = 1
+  for i = 1, n do ways = ways * (m + i) / i end
+  return math.min(1, 2 / ways)
 end
 
 -- Mean best fitness of a setting in its last generation, with its interval.
@@ -140,20 +172,13 @@ function tables.heredity(setting)
   return value and (('%.2f'):format(value):gsub('^%-', '$-$')) or '--'
 end
 
--- The number of claims with a verdict; how many of them the corrected p decides.
-function tables.verdicts(verdict) return tostring(#csv.where(data.claims, { verdict = verdict })) end
-function tables.corrected(verdict)
-  local count = 0
-  for _, row in ipairs(csv.where(data.claims, { verdict = verdict })) do
-    if row.decided_by:match '_holm$' then count = count + 1 end
-  end
-  return tostring(count)
-end
-function tables.claims_judged() return tostring(#data.claims) end
+-- The number of rows of a table; whether it has any.
+function tables.rows(name) return tostring(#data[name]) end
+function tables.has(name) return #data[name] > 0 end
 
 -- Includes a section if the table that it reports has rows.
 function tables.input_with(name, file)
-  if #data[name] > 0 then tex.print('\\input{' .. file .. '}') end
+  if tables.has(name) then tex.print('\\input{' .. file .. '}') end
 end
 
 -- A count of all settings' champions: champions or flagged.
@@ -204,8 +229,16 @@ function tables.power_repetitions() return show(simulated.power[1].repetitions) 
 -- How often the tests of the claims reproduce or contradict a claim.
 function tables.print_power()
   local head = { ' & & \\multicolumn{2}{c}{by $p$} & \\multicolumn{2}{c}{by the corrected $p$} \\\\', '\\cmidrule(lr){3-4}\\cmidrule(l){5-6}',
-    'test & truth & repr. & contr. & repr. & contr. \\\\' }
-  local lines, previous = {}, nil
+    'test & truth & repr. & contr. & repr. & contr. \\\\\\midrule' }
+  local lines = { '\\begin{longtable}{@{}llrrrr@{}}',
+    '\\caption{Power of the tests of the claims: how often, in per cent, they reproduce (repr.) or contradict (contr.) a claim when the truth is known, with 20 runs of each setting, in '
+    .. tables.power_repetitions() .. ' simulations of each row. Truth: $A_{12}$ of normally distributed values unless stated otherwise, or the share of runs without a lasting gait. Left: decided by the $p$ of the claim alone. '
+    .. 'Right: decided by $p$ corrected over all of Table~\\ref{tab:claims}, if no other $p$ is small.}\\label{tab:power}\\\\', '\\toprule' }
+  table.move(head, 1, #head, #lines + 1, lines)
+  lines[#lines + 1] = '\\endfirsthead\\toprule'
+  table.move(head, 1, #head, #lines + 1, lines)
+  lines[#lines + 1] = '\\endhead\\bottomrule\\endfoot'
+  local previous
   for _, row in ipairs(simulated.power) do
     if previous and row.test ~= previous then lines[#lines + 1] = '\\addlinespace[2pt]' end
     local cells = { row.test == previous and '' or escape(row.test), (escape(row.truth):gsub('A12', '$A_{12}$')) }
@@ -215,7 +248,8 @@ function tables.print_power()
     lines[#lines + 1] = row_of(cells)
     previous = row.test
   end
-  print_tabular('llrrrr', head, lines)
+  lines[#lines + 1] = '\\end{longtable}'
+  tex.print(lines)
 end
 
 -- ---- Tables ----
@@ -409,70 +443,6 @@ function tables.print_outcomes()
     previous = row.setting
   end
   print_tabular('lr' .. ('r'):rep(#kinds), head, lines)
-end
-
--- The two sides of a claim; a common part is given once: OSC AQ, NS : NEAT.
-local function sides(row)
-  if row.setting_b == '' then return short(row.setting_a) end
-  local shared, first = row.setting_a:match '^(.*)%-(%w+)$'
-  local second = shared and row.setting_b:match('^' .. shared:gsub('%-', '%%-') .. '%-(%w+)$')
-  if second then return ('%s, %s : %s'):format(short(shared), short(first), short(second)) end
-  return short(row.setting_a) .. ' : ' .. short(row.setting_b)
-end
-
--- A p-value of a row, its method and its correction: p = 0.012 (exact; Holm 0.25).
-local function probability_of(row, column, name, method)
-  if not tonumber(row[column]) then return nil end
-  local function shown(text) return (tonumber(text) < 1e-4 and '' or '= ') .. typeset.probability(text) end
-  return ('%s\\,%s (%s%s)'):format(name, shown(row[column]), method ~= '' and escape(method) .. '; ' or '',
-    'Holm ' .. typeset.probability(row[column .. '_holm']))
-end
-
--- The evidence for a claim: effect, interval and p; then, in small print, the runs and the generation.
-local function evidence(row)
-  local measured = {}
-  if row.effect ~= '' then
-    measured[1] = ('%s = %s'):format(row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first side's"))), typeset.interval(row, 'effect'))
-  end
-  measured[#measured + 1] = probability_of(row, 'p', '$p$', row.method)
-  measured[#measured + 1] = probability_of(row, 'p_equivalence', 'equivalence: $p$', '')
-  local runs = row.setting_b ~= '' and show(row.runs_a) .. ' + ' .. show(row.runs_b) or show(row.runs_a)
-  local basis = sides(row) .. '; ' .. runs .. ' runs'
-  if tonumber(row.at_generation) > 0 then
-    basis = basis .. '; gen. ' .. show(row.at_generation)
-    if row.at_generation ~= row.generation then basis = basis .. ' of ' .. show(row.generation) end
-  end
-  if row.note ~= '' and row.verdict ~= 'open' then basis = basis .. '; ' .. escape(row.note) end
-  return ('%s%s{\\scriptsize\\color{quiet}%s}'):format(table.concat(measured, '; '), #measured > 0 and '\\newline ' or '', basis)
-end
-
--- The verdict; marked if the corrected p does not decide it.
-local function verdict_of(row)
-  local alone = row.decided_by == 'p' or row.decided_by == 'p_equivalence'
-  local marks = (alone and '*' or '') .. (row.calibrated == '1' and '\\dagger' or '')
-  return ('\\verdict{%s}%s'):format(escape(row.verdict), marks ~= '' and ('\\rlap{$^{%s}$}'):format(marks) or '')
-end
-
--- The claims of the original with verdicts.
-function tables.print_claims()
-  local head = ' & claim & original & here & verdict \\\\'
-  local lines = { '\\begin{longtable}{@{}l>{\\raggedright}p{4.8cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.3cm}l@{}}',
-    '\\caption{The claims of the original and our verdicts. Effects: $A_{12}$ is the probability that a run of the first side has a '
-    .. 'larger value than a run of the second (one half: no difference); intervals are bootstrap intervals, given for ten runs or more; $p$ is that of the two-tailed '
-    .. 'test of a difference, with its method and its value after Holm\'s correction over all $p$ of the table; equivalence: $p$ of the tests that no difference beyond the stated bound exists. '
-    .. 'Small print: sides, runs, generation reached of the generation planned, and limits of the verdict. An asterisk marks verdicts that $p$ decides only without the correction. '
-    .. 'A dagger marks results that were used to choose the reading of the original; such a verdict is no evidence. '
-    .. 'Open: there are too few runs, generations or individuals.}\\label{tab:claims}\\\\',
-    '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
-  local previous
-  for index, row in ipairs(data.claims) do
-    if index > 1 then lines[#lines + 1] = '\\addlinespace' end
-    lines[#lines + 1] = ('%s & %s (%s) & %s & %s & %s \\\\'):format(row.id == previous and '' or escape(row.id),
-      escape(row.statement), escape(row.section), escape(row.paper), evidence(row), verdict_of(row))
-    previous = row.id
-  end
-  lines[#lines + 1] = '\\end{longtable}'
-  tex.print(lines)
 end
 
 -- Every parameter with its origin and the rules that use it.
