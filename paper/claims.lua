@@ -210,8 +210,10 @@ local function evidence(row)
   return ('%s%s{\\scriptsize\\color{quiet}%s}'):format(table.concat(measured, '; '), #measured > 0 and '\\newline ' or '', basis)
 end
 
--- A verdict; with marks if the corrected p does not decide it, and if the claim was used to choose the model.
+-- A verdict; with marks if the corrected p does not decide it, and if the claim was used to choose the model. An open one
+-- needs none.
 local function verdict_of(row, verdict)
+  if verdict == 'open' then return '\\verdict{open}' end
   local decided = verdict == 'reproduced' or verdict == 'contradicted'
   local marks = (decided and not row.decided_by:match '_holm$' and '*' or '') .. (row.calibrated == '1' and '\\dagger' or '')
   return ('\\verdict{%s}%s'):format(escape(verdict), marks ~= '' and ('\\rlap{$^{%s}$}'):format(marks) or '')
@@ -254,7 +256,7 @@ function claims.print_claims()
   local verdict_head = closed and 'verdict' or 'verdict here & original\'s size'
   local head = ' & the original says & its evidence & we find & ' .. verdict_head .. ' \\\\'
   local columns = closed and '@{}l>{\\raggedright}p{4.6cm}>{\\raggedright}p{1.9cm}>{\\raggedright}p{6.2cm}l@{}'
-    or '@{}l>{\\raggedright}p{3.7cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}ll@{}'
+    or '@{}l>{\\raggedright}p{3.6cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}l@{\\hskip12pt}l@{}'
   local width = closed and 5 or 6
   local lines = { '\\begin{longtable}{' .. columns .. '}', caption:format(closed and '' or two_verdicts), '\\toprule', head, '\\midrule\\endfirsthead',
     '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
@@ -267,7 +269,7 @@ function claims.print_claims()
     else
       lines[#lines + 1] = '\\addlinespace[2pt]'
     end
-    add({ escape(row.id), ('%s (%s)'):format(escape(row.statement), escape(row.section)), escape(row.paper), evidence(row) },
+    add({ escape(row.id), ('%s (%s)'):format(escape(row.statement), escape(row.section)), (escape(row.paper):gsub('^p = ', '$p$\\,=\\,')), evidence(row) },
       { verdict_of(row, reached(row)), verdict_of(row, row.verdict) })
   end
   lines[#lines + 1] = ('\\addlinespace[5pt]\\multicolumn{%d}{@{}l}{\\itshape Shapes}\\\\*\\addlinespace[1pt]'):format(width)

@@ -228,7 +228,7 @@ end
 function readings.separated(name)
   local all, none = 0, 0
   each_agreement(name, function(value) all, none = all + (value == 1 and 1 or 0), none + (value == 0 and 1 or 0) end)
-  return ('%d and %d'):format(all, none)
+  return ('all pairs agree in %d and none in %d'):format(all, none)
 end
 
 -- The readings under which most pairs agree with a conclusion in no combination; none: no reading.

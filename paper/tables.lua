@@ -228,7 +228,7 @@ function tables.power_repetitions() return show(simulated.power[1].repetitions) 
 
 -- How often the tests of the claims reproduce or contradict a claim.
 function tables.print_power()
-  local head = { ' & & \\multicolumn{2}{c}{by $p$} & \\multicolumn{2}{c}{by the corrected $p$} \\\\', '\\cmidrule(lr){3-4}\\cmidrule(l){5-6}',
+  local head = { ' & & \\multicolumn{2}{c}{$p$ alone} & \\multicolumn{2}{c}{corrected $p$} \\\\', '\\cmidrule(lr){3-4}\\cmidrule(l){5-6}',
     'test & truth & repr. & contr. & repr. & contr. \\\\\\midrule' }
   local lines = { '\\begin{longtable}{@{}llrrrr@{}}',
     '\\caption{Power of the tests of the claims: how often, in per cent, they reproduce (repr.) or contradict (contr.) a claim when the truth is known, with 20 runs of each setting, in '
@@ -471,7 +471,7 @@ end
 
 -- The ledger of assumptions: number, title and decision of every page.
 function tables.print_decisions()
-  local lines = { '\\begin{description}' }
+  local lines = { '\\begin{description}\\setlength\\itemsep{2pt}\\setlength\\parsep{0pt}' }
   for _, name in ipairs(decisions()) do
     local text = io.open(decisions_folder .. '/' .. name):read 'a'
     local title = assert(text:match '\n?# (.-)\n', name .. ' has no title')
