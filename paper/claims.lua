@@ -255,7 +255,7 @@ function claims.print_claims()
   local closed = claims.are_closed()
   local verdict_head = closed and 'verdict' or 'verdict here & original\'s size'
   local head = ' & the original says & its evidence & we find & ' .. verdict_head .. ' \\\\'
-  local columns = closed and '@{}l>{\\raggedright}p{4.6cm}>{\\raggedright}p{1.9cm}>{\\raggedright}p{6.2cm}l@{}'
+  local columns = closed and '@{}l>{\\raggedright}p{4.4cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.1cm}l@{\\hskip8pt}}'
     or '@{}l>{\\raggedright}p{3.6cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}l@{\\hskip12pt}l@{}'
   local width = closed and 5 or 6
   local lines = { '\\begin{longtable}{' .. columns .. '}', caption:format(closed and '' or two_verdicts), '\\toprule', head, '\\midrule\\endfirsthead',
