@@ -102,7 +102,7 @@
     const shift = moves ? { x: path.x[0] - mean(grown.x, grown.cells), y: path.y[0] - mean(grown.y, grown.cells) }
       : { x: 0, y: 0 };
     return {
-      growthEnd, end: growthEnd + (moves ? life.gait.steps.at(-1) : 0), path, reach: reachOf(life, path),
+      growthEnd, end: Math.max(1, growthEnd + (moves ? life.gait.steps.at(-1) : 0)), path, reach: reachOf(life, path),
 
       /** Everything that is drawn at a step. */
       at(step) {

@@ -7,7 +7,7 @@
 //     returns {show(activations, isDark), choose(node)}; activations: one per node, or null
 'use strict';
 (function () {
-  const width = 420, row = 26, top = 16, left = 132, right = width - 118, radius = 7, clear = 17;
+  const width = 440, row = 26, top = 12, left = 142, right = width - 150, radius = 7, clear = 17;
   const svg = (name, attributes) => {
     const made = document.createElementNS('http://www.w3.org/2000/svg', name);
     for (const key of Object.keys(attributes)) made.setAttribute(key, attributes[key]);
@@ -118,14 +118,14 @@
   }
 
   planula.mountNetwork = function (element, network, onChoose) {
-    const { places, bottom } = layout(network), height = bottom + 34;
+    const { places, bottom } = layout(network), height = bottom + 32;
     const picture = svg('svg', {
       viewBox: `0 0 ${width} ${height}`, role: 'group',
       'aria-label': `network of ${network.nodes.length} nodes and ${network.links.length} links`,
     });
     const strongest = drawLinks(network, places, picture);
     const marks = drawNodes(network, places, picture, onChoose);
-    const legend = svg('text', { x: width / 2, y: height - 4, 'text-anchor': 'middle', class: 'legend' });
+    const legend = svg('text', { x: (left + right) / 2, y: height - 4, 'text-anchor': 'middle', class: 'legend' });
     legend.innerHTML = '<tspan class="positive">— positive</tspan>  <tspan class="negative">— negative</tspan>' +
       '  widest: ' + strongest.toFixed(2) + (network.links.some((link) => link[3]) ? '  – – recurrent' : '');
     picture.append(legend);

@@ -11,6 +11,8 @@
     return `M${left} ${chartHeight}${points.join('')}L${right} ${chartHeight}Z`;
   }
 
+  const signalWidth = 440, signalHeight = 74, signalSpan = 400; // pixels, pixels, steps
+
   planula.Panel = class {
     constructor(replay, make, lists) {
       this.replay = replay;
@@ -23,7 +25,9 @@
         const cell = replay.cellAt(event.offsetX, event.offsetY);
         if (cell >= 0) this.chooseCell(cell);
       });
-      root.addEventListener('keydown', (event) => this.key(event));
+      // Keys work wherever nothing else has the focus.
+      this.onKey = (event) => { if (event.target === document.body || root.contains(event.target)) this.key(event); };
+      document.addEventListener('keydown', this.onKey);
     }
 
     // ---- Parts -----------------------------------------------------------------------------------------------------
@@ -102,7 +106,7 @@
       }, words);
       const aside = make('aside', { class: 'pl-network' },
         make('div', { class: 'pl-cell' }, this.cell, step(-1, '‹', 'Previous cell'), step(1, '›', 'Next cell')),
-        this.note, picture);
+        this.note, picture, this.signalChart());
       this.drawing = planula.mountNetwork(picture, replay.life.network, (node) => {
         this.colour.value = 'node ' + node;
         this.colourBy(this.colour.value);
@@ -110,9 +114,39 @@
       return aside;
     }
 
+    /** The muscles of the chosen cell around this moment. */
+    signalChart() {
+      const chart = this.make('div', { class: 'pl-signal', 'aria-hidden': 'true' });
+      chart.innerHTML = '<p></p>' + `<svg viewBox="0 0 ${signalWidth} ${signalHeight}"><path class="axis" d="M0 ${signalHeight / 2}H${signalWidth}"/>` +
+        `<path class="now" d="M${signalWidth / 2} 0V${signalHeight}"/><path class="curve"/></svg>`;
+      [this.signalWords] = chart.children;
+      this.signalCurve = chart.querySelector('.curve');
+      return this.signalBox = chart;
+    }
+
+    showSignal(state) {
+      const { replay } = this, cell = state.ids.indexOf(replay.chosen);
+      this.signalBox.hidden = !state.signals || cell < 0;
+      if (this.signalBox.hidden) return;
+      const points = [];
+      for (const body of replay.life.gait.bodies) {
+        const place = body.ids.indexOf(replay.chosen);
+        if (place < 0) continue;
+        body.muscleSteps.forEach((step, i) => {
+          const x = (step - state.step) / signalSpan + 0.5;
+          if (x > -0.05 && x < 1.05)
+            points.push(`${(x * signalWidth).toFixed(1)} ${((1 - body.signals[place][i] * 0.92) * signalHeight / 2).toFixed(1)}`);
+        });
+      }
+      this.signalCurve.setAttribute('d', 'M' + points.join('L'));
+      this.signalWords.textContent = `muscle signal ${planula.minus(state.signals[cell].toFixed(2))}, 200 steps before and after`;
+    }
+
     footer() {
       const { make, replay } = this, { about } = replay, shift = about.settle_steps;
+      const { ground, obstacles, ceiling } = about.worlds[0];
       const words = ['Keys: space plays, ← → ten steps, home and end, [ ] another cell, + − zoom.'];
+      if (ground || ceiling || obstacles.length) words.unshift('Cells touch ground and walls with their centres.');
       if (shift > 0) words.unshift(`Between growth and gait it settled for ${shift} steps, which are not shown.`);
       return make('footer', {}, make('p', {}, words.join(' ')),
         make('p', { class: 'pl-hash', title: 'SHA-256 of every field of the life' }, 'life ', make('code', {}, about.life)));
@@ -169,6 +203,7 @@
       this.time.textContent = `${stage}, ${time}`;
       this.badge.textContent = `${state.cells} ${state.cells === 1 ? 'cell' : 'cells'}` + replay.distance(state);
       this.showScale(scale);
+      this.showSignal(state);
       const activations = replay.motion.activations(replay.chosen, replay.step);
       this.drawing.show(activations, replay.isDark);
       const title = 'Network of cell ' + replay.chosen;

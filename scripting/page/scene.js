@@ -94,15 +94,14 @@
       }
     }
 
-    /** The points of a line of ground or ceiling in view, and the heights at both edges. */
-    lineInView(line) {
-      const inner = line.filter(([x]) => x > this.left && x < this.right);
-      return [[this.left, heightOf(line, this.left)], ...inner, [this.right, heightOf(line, this.right)]];
+    /** A line of ground or ceiling from left of the picture to right of it, closed at a height. */
+    lineInView(line, height) {
+      const left = this.left - 1, right = this.right + 1, inner = line.filter(([x]) => x > left && x < right);
+      return [[left, height], [left, heightOf(line, left)], ...inner, [right, heightOf(line, right)], [right, height]];
     }
 
-    solid(points, isClosed) {
+    solid(points) {
       const { pen, theme } = this;
-      if (isClosed) points = [...points, points[0]];
       this.polygon(points);
       pen.fillStyle = theme.solid;
       pen.fill();
@@ -112,12 +111,9 @@
     }
 
     ground(world) {
-      const below = this.bottom - 1, above = this.top + 1;
-      if (world.ground)
-        this.solid([[this.left - 1, below], ...this.lineInView(world.ground), [this.right + 1, below]]);
-      if (world.ceiling)
-        this.solid([[this.left - 1, above], ...this.lineInView(world.ceiling), [this.right + 1, above]]);
-      for (const obstacle of world.obstacles) this.solid(obstacle.points, true);
+      if (world.ground) this.solid(this.lineInView(world.ground, this.bottom - 1));
+      if (world.ceiling) this.solid(this.lineInView(world.ceiling, this.top + 1));
+      for (const obstacle of world.obstacles) this.solid([...obstacle.points, obstacle.points[0]]);
       for (const patch of world.patches) if (world.ground) this.patch(patch, world);
     }
 

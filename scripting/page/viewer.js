@@ -104,7 +104,9 @@
       if (this.follows) {
         const reach = motion.reach * 1.3, middle = motion.centre(this.step, 60);
         const scale = (this.zoom * Math.min(size.width / 1.5, size.height)) / 2 / reach;
-        return { ...middle, scale };
+        // On land there is more to see above the body than below it.
+        const lift = this.about.worlds[0].ground ? (0.16 * size.height) / scale : 0;
+        return { x: middle.x, y: middle.y + lift, scale };
       }
       const { x, y } = motion.path, none = !x.length, reach = motion.reach;
       const low = (list) => (none ? 0 : Math.min(...list)) - reach, high = (list) => (none ? 0 : Math.max(...list)) + reach;
@@ -222,6 +224,7 @@
       cancelAnimationFrame(this.request);
       this.resize.disconnect();
       this.scheme.removeEventListener('change', this.onScheme);
+      if (this.panel) document.removeEventListener('keydown', this.panel.onKey);
       this.root.remove();
     }
   }

@@ -40,7 +40,7 @@ std::string table_text(const Genome &genome) {
 
 int print_lineage(const Arguments &arguments, Console &console) {
     const std::optional<std::int64_t> asked = asked_genome(arguments);
-    const RecordedRun run = read_run(arguments.operands.at(0));
+    const RecordedRun run = asked_run(arguments);
     const std::int64_t genome = asked ? *asked : read_champion_genome(run, run.generations).id;
     console.out << header_line<LineageRow>();
     for (const LineageRow &row : lineage(run, genome, arguments.has("copies"))) console.out << line_of(row);
@@ -48,7 +48,7 @@ int print_lineage(const Arguments &arguments, Console &console) {
 }
 
 int print_genome(const Arguments &arguments, Console &console) {
-    const RecordedRun run = read_run(arguments.operands.at(0));
+    const RecordedRun run = asked_run(arguments);
     const AskedIndividual shown = asked_individual(arguments, run);
     const std::string title = title_of(shown, run);
     if (arguments.has("svg")) write_new_file(arguments.text("svg"), svg_of(shown.genome, title));
@@ -66,7 +66,7 @@ const Command &lineage_command() {
         "lineage",
         "RUN",
         "prints the ancestors of an individual, mother by mother",
-        R"(RUN is the folder of a complete run. Prints a CSV table, the oldest ancestor first; planula columns explains it under
+        R"(RUN is the folder of a complete run, or a folder with only one run below it. Prints a CSV table, the oldest ancestor first; planula columns explains it under
 lineage.csv.)",
         lineage_options,
         print_lineage};
@@ -78,7 +78,7 @@ const Command &genome_command() {
         "genome",
         "RUN",
         "prints the genome and the evaluation of an individual, or draws its network",
-        R"(RUN is the folder of a complete run. The genomes of champions, individuals that were fitter than all before them in the run,
+        R"(RUN is the folder of a complete run, or a folder with only one run below it. The genomes of champions, individuals that were fitter than all before them in the run,
 are recorded. Any other individual is computed again, from the nearest saved state up to its generation; if that
 generation differs from the record, the command ends with an error.
 

@@ -11,6 +11,7 @@
 #include "tables/csv.h"
 #include "tables/genome_table.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace planula {
@@ -72,6 +73,18 @@ AskedIndividual individual_at(const Arguments &arguments, const RecordedRun &run
 }
 
 } // namespace
+
+RecordedRun asked_run(const Arguments &arguments) {
+    const std::filesystem::path folder = arguments.operands.at(0);
+    const std::vector<std::filesystem::path> runs = folders_with_runs(folder);
+    if (runs.size() < 2) return read_run(runs.empty() ? folder : runs.front());
+    std::string names;
+    constexpr std::size_t most = 3;
+    for (std::size_t i = 0; i < std::min(most, runs.size()); ++i)
+        names += (i == 0 ? "" : ", ") + runs[i].string();
+    throw InputError(folder.string() + " holds " + to_text(static_cast<std::int64_t>(runs.size())) +
+                     " runs; name one of them: " + names + (runs.size() > most ? ", …" : ""));
+}
 
 std::optional<std::int64_t> asked_genome(const Arguments &arguments) {
     const std::string word = arguments.text("genome", "best");

@@ -27,6 +27,9 @@ struct AskedIndividual {
     std::string life_text; // its evaluation in words
 };
 
+/// The run whose folder is the operand, or the only one below it. Throws InputError.
+RecordedRun asked_run(const Arguments &arguments);
+
 /// The id that --genome asks for; nothing for the best. Throws UsageError.
 std::optional<std::int64_t> asked_genome(const Arguments &arguments);
 

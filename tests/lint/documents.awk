@@ -54,7 +54,7 @@ function keep_words(line,   list, n, i, joined) {
 
 # What the program calls its commands and options is in string literals, with dashes or without.
 function keep_literals(line,   literal) {
-    while (match(line, /"[a-z, -]+"/)) {
+    while (match(line, /"[a-z0-9, -]+"/)) {
         literal = substr(line, RSTART + 1, RLENGTH - 2)
         line = substr(line, RSTART + RLENGTH)
         sub(/^.*--/, "", literal)
@@ -134,7 +134,7 @@ function check_make(list, n,   i) {
 
 function check_option(option) {
     sub(/^--/, "", option)
-    sub(/[^a-z-].*$/, "", option)
+    sub(/[^a-z0-9-].*$/, "", option)
     if (!(option in said) && option !~ /^(help|version)$/) report("planula has no option --" option)
 }
 

@@ -26,7 +26,8 @@ BOOST_AUTO_TEST_CASE(the_history_of_a_run_can_be_read_and_drawn) {
     BOOST_TEST(lineage.out.starts_with("generation,slot,genome,origin,mother,father,"), lineage.out);
     BOOST_TEST(planula_says({"lineage", run, "--genome", "99"}).code == 65);
     BOOST_TEST(planula_says({"lineage", run, "--genome", "bset"}).code == 2);
-    BOOST_TEST(planula_says({"lineage", place.runs()}).code == 65);
+    BOOST_TEST(planula_says({"lineage", place.runs(), "--copies"}).out == lineage.out); // the only run there
+    BOOST_TEST(planula_says({"lineage", place.path / "small.lua"}).code == 65);
 
     const Said genome = planula_says({"genome", run});
     BOOST_TEST(genome.code == 0, genome.err);
