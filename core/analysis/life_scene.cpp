@@ -146,9 +146,9 @@ std::string draw_world(const Environment *world, const View &view) {
     if (!world) return text;
     for (const Region &region : world->regions) text += draw_region(region, view);
     const double reach = view.height / 2 / view.scale + 1;
+    for (const Obstacle &obstacle : world->obstacles) text += polygon(obstacle.points, view);
     if (world->has_ground) text += surface(world->ground, view.centre.y - reach, view);
     if (!world->ceiling.empty()) text += surface(world->ceiling, view.centre.y + reach, view);
-    for (const Obstacle &obstacle : world->obstacles) text += polygon(obstacle.points, view);
     return text;
 }
 

@@ -333,6 +333,8 @@ void add_life(const LifeRecording &recording, JsonObject &all) {
         .add("cells", to_text(life.cells))
         .add("births", to_text(life.births))
         .add("life", json_text(life_sha256(life)))
+        .add("path", points(life.path))
+        .add("path_interval", to_text(p.gait.path_interval))
         .add("actuation", json_text(planula::name_of(recording.actuation)))
         .add("time_step", json_number(p.development.time_step))
         .add("cell_radius", json_number(p.development.cell_radius))

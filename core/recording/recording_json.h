@@ -12,6 +12,8 @@
 //   outcome            as in individuals.csv: viable, died_out, …
 //   displacement, cells, births
 //   life               the SHA-256 of every field of the life (evaluation/life_digest.h)
+//   path               [[x, y], …], as the life tells it: jumps, where cells are lost or the world changes, do not count
+//   path_interval      steps between the points of the path
 //   actuation          oscillator or grn
 //   time_step          t.u. in a step
 //   cell_radius        cells

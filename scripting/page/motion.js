@@ -126,6 +126,18 @@
         return { x: path.x[from] + t * (path.x[next] - path.x[from]), y: path.y[from] + t * (path.y[next] - path.y[from]) };
       },
 
+      /** How far the centre of mass has come, cells; jumps of it, where cells are lost or the world changes, do not count. */
+      distance(step) {
+        const { path: points, path_interval: interval, bodies, worlds } = life.about, local = step - growthEnd;
+        if (bodies.length + worlds.length === 2 || !points.length) {
+          const { x, y } = this.centre(step, 0);
+          return Math.hypot(x - path.x[0], y - path.y[0]);
+        }
+        const at = Math.max(0, Math.min(points.length - 2, Math.floor(local / interval)));
+        const t = Math.min(1, local / interval - at), [a, b] = [points[at], points[at + 1] || points[at]];
+        return Math.hypot(a[0] + t * (b[0] - a[0]) - points[0][0], a[1] + t * (b[1] - a[1]) - points[0][1]);
+      },
+
       /** The world that the body is in. */
       world(step) {
         return life.about.worlds.findLast((each) => each.first_step <= Math.max(0, step - growthEnd));

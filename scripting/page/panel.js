@@ -53,7 +53,7 @@
       const split = (chartWidth * motion.growthEnd) / motion.end;
       const counts = life.growth.steps.map((_, frame) =>
         life.growth.cells.filter((cell) => cell.first <= frame && frame < cell.end).length);
-      const ways = path.x.map((x, i) => Math.hypot(x - path.x[0], path.y[i] - path.y[0]));
+      const ways = path.steps.map((step) => motion.distance(motion.growthEnd + step));
       const shares = (list) => { const most = Math.max(1e-9, ...list); return list.map((value) => value / most); };
       const chart = make('div', { class: 'pl-chart', 'aria-hidden': 'true' });
       chart.innerHTML = `<svg viewBox="0 0 ${chartWidth} ${chartHeight}" preserveAspectRatio="none">` +
@@ -204,7 +204,7 @@
       this.badge.textContent = `${state.cells} ${state.cells === 1 ? 'cell' : 'cells'}` + replay.distance(state);
       this.showScale(scale);
       this.showSignal(state);
-      const activations = replay.motion.activations(replay.chosen, replay.step);
+      const activations = state.ids.includes(replay.chosen) ? replay.motion.activations(replay.chosen, replay.step) : null;
       this.drawing.show(activations, replay.isDark);
       const title = 'Network of cell ' + replay.chosen;
       if (this.cell.textContent !== title) this.cell.textContent = title;

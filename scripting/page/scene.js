@@ -73,13 +73,18 @@
           pen.fillRect(this.x(x) - 1, this.y(y) - 1, 2, 2);
     }
 
-    regions(world) {
+    /** The regions of the world, or what is written on them. */
+    regions(world, isText) {
       for (const region of world.regions) {
         const left = Math.max(region.left ?? this.left, this.left), right = Math.min(region.right ?? this.right, this.right);
         const low = Math.max(region.bottom ?? this.bottom, this.bottom), high = Math.min(region.top ?? this.top, this.top);
         if (left >= right || low >= high) continue;
-        const box = [this.x(left), this.y(high), (right - left) * this.camera.scale, (high - low) * this.camera.scale];
         const wet = region.drag[0] > 0 || region.drag[1] > 0;
+        if (isText) {
+          this.regionText(region, wet, this.x(right), this.y(high));
+          continue;
+        }
+        const box = [this.x(left), this.y(high), (right - left) * this.camera.scale, (high - low) * this.camera.scale];
         this.pen.fillStyle = wet ? this.theme.region : this.theme.air;
         this.pen.fillRect(...box);
         this.pen.strokeStyle = this.theme.regionEdge;
@@ -87,11 +92,14 @@
         this.pen.setLineDash([5, 4]);
         this.pen.strokeRect(...box);
         this.pen.setLineDash([]);
-        const words = [wet ? 'drag ' + region.drag.join(', ') : 'no fluid'];
-        if (region.flow) words.push('flow ' + region.flow.join(', '));
-        if (region.buoyancy !== null) words.push('buoyancy ' + region.buoyancy);
-        if (box[2] > 90) this.text(words.join(' · '), box[0] + 8, box[1] + 18);
       }
+    }
+
+    regionText(region, wet, right, top) {
+      const words = [wet ? 'drag ' + region.drag.join(', ') : 'no fluid'];
+      if (region.flow) words.push('flow ' + region.flow.join(', '));
+      if (region.buoyancy !== null) words.push('buoyancy ' + region.buoyancy);
+      this.text(words.join(' · '), right - 8, top + 18, 'right');
     }
 
     /** A line of ground or ceiling from left of the picture to right of it, closed at a height. */
@@ -111,9 +119,9 @@
     }
 
     ground(world) {
+      for (const obstacle of world.obstacles) this.solid([...obstacle.points, obstacle.points[0]]);
       if (world.ground) this.solid(this.lineInView(world.ground, this.bottom - 1));
       if (world.ceiling) this.solid(this.lineInView(world.ceiling, this.top + 1));
-      for (const obstacle of world.obstacles) this.solid([...obstacle.points, obstacle.points[0]]);
       for (const patch of world.patches) if (world.ground) this.patch(patch, world);
     }
 
@@ -260,7 +268,7 @@
     const scene = new Scene(pen, size, camera, look);
     scene.backdrop(world);
     scene.grid();
-    if (world) scene.regions(world), scene.ground(world);
+    if (world) scene.regions(world, false), scene.ground(world), scene.regions(world, true);
     if (look.way) scene.way(look.way);
     scene.body(state);
     if (world) scene.arrows(world, state.step);

@@ -99,11 +99,15 @@
       return { list: null, scale: null };
     }
 
-    camera(size) {
+    camera(size, state) {
       const { motion } = this;
       if (this.follows) {
         const reach = motion.reach * 1.3, middle = motion.centre(this.step, 60);
-        const scale = (this.zoom * Math.min(size.width / 1.5, size.height)) / 2 / reach;
+        let scale = Math.min(size.width / 1.5, size.height) / 2 / reach;
+        // A loose object is in the picture, too, unless it is very far.
+        const away = state.x.slice(state.cells).map((x) => Math.abs(x - middle.x) + 1);
+        if (away.length) scale = Math.max(scale / 3, Math.min(scale, (0.48 * size.width) / Math.max(...away)));
+        scale *= this.zoom;
         // On land there is more to see above the body than below it.
         const lift = this.about.worlds[0].ground ? (0.16 * size.height) / scale : 0;
         return { x: middle.x, y: middle.y + lift, scale };
@@ -124,7 +128,7 @@
       const pen = canvas.getContext('2d'), state = this.motion.at(this.step), moves = state.stage === 'gait';
       pen.setTransform(dots, 0, 0, dots, 0, 0);
       const colours = this.colours(state), frame = moves ? this.life.gait.steps.findLastIndex((s) => s <= state.step) : 0;
-      this.seen = { state, camera: this.camera(size), size };
+      this.seen = { state, camera: this.camera(size, state), size };
       planula.drawScene(pen, size, state, moves ? this.motion.world(this.step) : null, this.seen.camera, {
         theme: this.theme, colours: colours.list, radius: this.about.cell_radius, links: this.look.links,
         outline: this.look.outline, way: moves && this.look.way ? { path: this.motion.path, from: 0, to: frame } : null,
@@ -188,8 +192,7 @@
     /** ", 1.2 cells from where it rested", in locomotion. */
     distance(state) {
       if (state.stage === 'growth') return '';
-      const { x, y } = this.motion.centre(this.step, 0), { path } = this.motion;
-      return `, ${Math.hypot(x - path.x[0], y - path.y[0]).toFixed(2)} cells from rest`;
+      return `, ${this.motion.distance(this.step).toFixed(2)} cells from rest`;
     }
 
     // ---- The page --------------------------------------------------------------------------------------------------
