@@ -22,7 +22,7 @@ done
 
 name=planula-$version
 mkdir -p "$folder"
-work=$(mktemp -d "$folder/work.XXXXXX")
+work=$(mktemp -d "$(realpath "$folder")/work.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 git archive --prefix="$name/" HEAD | tar -C "$work" -xf -
 cp "$article" "$work/$name/paper.pdf"

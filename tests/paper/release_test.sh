@@ -11,7 +11,8 @@ export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER
 mkdir "$folder/checkout"
 cd "$folder/checkout"
 fail() { echo "release_test: $1" >&2; exit 1; }
-release() { bash "$source_folder/paper/release.sh" "$folder/article" "$folder/$1" > "$folder/said" 2>&1; }
+# The folder is relative, as in the Makefile.
+release() { bash "$source_folder/paper/release.sh" "$folder/article" "../$1" > "$folder/said" 2>&1; }
 refuses() { # WORDS: that the message must hold
     if release refused; then fail "was not refused: $1"; fi
     grep -qF -- "$1" "$folder/said" || fail "wrong message for '$1': $(cat "$folder/said")"
