@@ -148,6 +148,18 @@ readings-tables:
 	    $$at["heredity_fitness"], $$at["near_mother"], $$at["near_best"], $$at["cyclic"] }' $(OUT)/readings/heredity.csv > $(OUT)/data.new/readings_heredity.csv
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 
+report: program build/page/report.js ## make a page of the tracked runs, or of the runs in REPORT=DIR, for a browser: build/report/<experiment>/report.html
+	@page=$$($(PLANULA) report $(REPORT) $(if $(filter data/runs/replication,$(REPORT)),--script $(EXPERIMENT))); echo "report: $$page"
+REPORT ?= data/runs/replication
+
+# The scripts of reports with the packages that they use, where planula report finds them.
+WEB = $(wildcard scripting/report/web/*)
+build/page/report.js: $(WEB)
+	@command -v npm > /dev/null || bash tests/support/packages.sh npm
+	@echo 'report: installing the packages of its page and bundling its scripts …'
+	@mkdir -p build/page/web; cp $(WEB) build/page/web
+	@cd build/page/web && { npm ci --ignore-scripts --no-audit --no-fund && node build.mjs ..; } > ../web.log 2>&1 || { cat ../web.log; exit 1; }
+
 ##@ Building and checking
 build: deps build/CMakeCache.txt ## build the program and all tests
 	@echo 'build: compiling the program and all tests, minutes the first time …'
@@ -209,6 +221,10 @@ instructions: deps build/CMakeCache.txt ## count the instructions of fixed piece
 	@cmake --build build --parallel $(JOBS) --target work > build/work.log 2>&1 || { cat build/work.log; exit 1; }
 	@bash tests/bench/instructions.sh build/tests/work $(if $(KEEP),--keep)
 
+test-pages: program build/page/report.js ## open reports and replays of the tracked runs in headless Chromium and use them; installs chromium
+	@bash tests/support/packages.sh chromium chromium-driver $$(command -v node > /dev/null || echo nodejs)
+	@node tests/browser/run.mjs $(PLANULA) build/pages report replay
+
 lint: ## check layering, forbidden constructs, licences, paths, format, names in the documentation, and that the lint itself can fail
 	@passed=0 failed=0; for check in layering sources format documents rooms lint_test; do \
 	  if bash tests/lint/$$check.sh; then passed=$$((passed + 1)); else failed=$$((failed + 1)); fi; done; \
@@ -236,8 +252,8 @@ deps: ## install the packages to build and test
 deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables \
-        build program signature verify-signature torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
+.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables report \
+        build program signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:

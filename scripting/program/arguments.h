@@ -30,6 +30,7 @@ struct Console {
     std::ostream &out, &err;
     bool terminal = false;         // whether err is one
     std::filesystem::path library; // the folder of this program's experiments
+    std::filesystem::path bundle;  // the folder of the scripts of reports, which `make report` bundles
 };
 
 class Arguments {

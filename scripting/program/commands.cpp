@@ -90,11 +90,12 @@ std::uint64_t seed_of(const std::string &text) {
 } // namespace
 
 std::vector<const Command *> all_commands() {
-    return {&run_command(),        &status_command(),  &check_command(),     &describe_command(),
-            &reduce_command(),     &compare_command(), &frames_command(),    &witness_command(),
-            &lineage_command(),    &genome_command(),  &replay_command(),    &sensitivity_command(),
-            &verify_command(),     &merge_command(),   &signature_command(), &pace_command(),
-            &parameters_command(), &columns_command(), &reference_command(), &completion_command()};
+    return {&run_command(),         &status_command(),     &check_command(),   &describe_command(),
+            &reduce_command(),      &compare_command(),    &report_command(),  &frames_command(),
+            &witness_command(),     &lineage_command(),    &genome_command(),  &replay_command(),
+            &sensitivity_command(), &verify_command(),     &merge_command(),   &signature_command(),
+            &pace_command(),        &parameters_command(), &columns_command(), &reference_command(),
+            &completion_command()};
 }
 
 int run_program(const std::vector<std::string> &words, Console &console) {

@@ -16,6 +16,7 @@ const Command &check_command();
 const Command &describe_command();
 const Command &reduce_command();
 const Command &compare_command();
+const Command &report_command();
 const Command &frames_command();
 const Command &witness_command();
 const Command &sensitivity_command();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// planula: the command line. The experiments of this program are in a folder beside the one that it was built in.
+// planula: the command line. The experiments of this program are in a folder beside the one that it was built in, the
+// bundled scripts of reports in a folder of that one.
 #include "program/commands.h"
 
 #include <cerrno>
@@ -28,6 +29,7 @@ int main(int count, char **words) {
     std::error_code unknown;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
     const auto library = (program.parent_path() / ".." / "experiments").lexically_normal();
-    planula::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, library};
+    planula::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, library,
+                             program.parent_path() / "page"};
     return planula::run_program({words + 1, words + count}, console);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An experiment as the folder of a run keeps it, and back.
+#include "statement/recorded.h"
+
 #include "base/error.h"
 #include "experiment/deciding.h"
-#include "statement/schema.h"
 #include "tables/csv.h"
 
 #include <algorithm>
@@ -37,15 +38,20 @@ RunSources sources_of(const Experiment &experiment) {
     return sources;
 }
 
-SettingForRun recorded_setting(const RecordedRun &run) {
-    const std::filesystem::path scripts = script_folder(run.folder);
+Experiment recorded_experiment(const std::filesystem::path &folder, Part part) {
+    const std::filesystem::path scripts = script_folder(folder);
     Overrides overrides;
     for (const OverrideRow &row : read_table<OverrideRow>(scripts))
         overrides.emplace_back(row.parameter, value_of(parameter_row(row.parameter), row.value));
-    const Experiment experiment = load_experiment(scripts / script_file, scripts, overrides, Part::settings);
+    return load_experiment(scripts / script_file, scripts, overrides, part);
+}
+
+SettingForRun recorded_setting(const RecordedRun &run) {
+    const Experiment experiment = recorded_experiment(run.folder, Part::settings);
     const Spec *setting = experiment.find(run.setting);
     if (!setting)
-        throw InputError((scripts / script_file).string() + ": there is no setting '" + run.setting + "'");
+        throw InputError((script_folder(run.folder) / script_file).string() + ": there is no setting '" +
+                         run.setting + "'");
     const auto lines = differences(run.identity, identity_of(*setting, static_cast<std::uint64_t>(run.seed)));
     if (!lines.empty())
         throw InputError(run.folder.string() +

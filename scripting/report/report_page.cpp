@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "report/report_page.h"
+
+#include "analysis/history.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "base/markup.h"
+#include "base/parallel.h"
+#include "base/text.h"
+#include "page/page.h"
+#include "recording/recording_json.h"
+#include "storage/input.h"
+#include "tables/manifest.h"
+
+#include <algorithm>
+
+namespace planula {
+
+namespace {
+
+const Spec &setting_called(const Experiment &experiment, const std::string &name) {
+    const Spec *setting = experiment.find(name);
+    CHECK(setting, name);
+    return *setting;
+}
+
+std::string champion_recording(const Experiment &experiment, const ShownRun &shown) {
+    const RecordedRun &run = *shown.run;
+    const Spec &setting = setting_called(experiment, run.setting);
+    const ChampionRow champion = champion_after(read_champions(run), shown.generations);
+    const Caption caption{setting.title,       experiment.name, run.setting,     run.seed,
+                          champion.generation, champion.slot,   champion.fitness};
+    const LifeRecording recording =
+        record_life(read_champion_genome(run, shown.generations), setting, caption, gallery_detail);
+    if (recording.life.displacement() != champion.displacement || recording.life.cells != champion.cells)
+        throw InputError(run.folder.string() + ": the champion of generation " +
+                         to_text(champion.generation) + " moved " + to_text(champion.displacement) +
+                         " cells, and simulated again it moves " + to_text(recording.life.displacement()) +
+                         "; planula verify names the first generation that differs");
+    return recording_json(recording);
+}
+
+std::string read_part(const std::filesystem::path &file) {
+    if (!std::filesystem::exists(file))
+        throw InputError(file.string() +
+                         " is not there: the scripts of reports are not bundled yet; run `make report` once");
+    return read_file(file);
+}
+
+/// How much there is, in words.
+std::string lead_of(const ReportSources &sources, std::size_t runs) {
+    const Experiment &experiment = sources.experiment;
+    const auto counted = [](std::size_t count, const std::string &what) {
+        return to_text(static_cast<std::int64_t>(count)) + " " + what + (count == 1 ? "" : "s");
+    };
+    return "Experiment " + experiment.name + ": " + counted(runs, "run") + " of " +
+           counted(experiment.settings.size(), "setting") + ", in " + sources.runs.choice.folder.string();
+}
+
+} // namespace
+
+ReportBundle read_bundle(const std::filesystem::path &folder) {
+    return {read_part(folder / "report.js"), read_part(folder / "report.css"),
+            read_part(folder / "licences.txt")};
+}
+
+std::vector<std::string> champion_recordings(const ReportSources &sources, int threads) {
+    const std::vector<ShownRun> runs = shown_runs_of(sources);
+    std::vector<std::string> recordings(runs.size());
+    parallel_for(static_cast<int>(runs.size()), threads, [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        recordings[at] = champion_recording(sources.experiment, runs[at]);
+    });
+    return recordings;
+}
+
+std::string report_page(const ReportSources &sources, const ReportBundle &bundle, std::string_view data,
+                        const std::vector<std::string> &recordings) {
+    const Experiment &experiment = sources.experiment;
+    std::string elements;
+    for (std::size_t i = 0; i < recordings.size(); ++i)
+        elements += "<script type=\"application/gzip\" data-run=\"" + to_text(static_cast<std::int64_t>(i)) +
+                    "\">" + packed_for_page(recordings[i]) + "</script>\n";
+    const std::string title = markup_text(experiment.title.empty() ? experiment.name : experiment.title);
+    const std::string lead = markup_text(lead_of(sources, shown_runs_of(sources).size()));
+    const std::string packed = packed_for_page(data), licences = markup_text(bundle.licences);
+    return filled_page(report_template(), {{"title", title},
+                                           {"lead", lead},
+                                           {"version", version()},
+                                           {"data", packed},
+                                           {"recordings", elements},
+                                           {"licences", licences},
+                                           {"viewer_style", viewer_style()},
+                                           {"style", bundle.style},
+                                           {"viewer_script", viewer_script()},
+                                           {"script", bundle.script}});
+}
+
+} // namespace planula
