@@ -31,6 +31,12 @@ Body lattice_of(Vec2d at, double extent, const std::function<bool(Vec2d)> &has) 
             const Vec2d place{column + 0.5 * (row & 1), row * row_height};
             if (has(place)) cells.push_back(at + place);
         }
+    return make_object(cells);
+}
+
+} // namespace
+
+Body make_object(const std::vector<Vec2d> &cells) {
     if (cells.size() < 3 || cells.size() > most_cells)
         refuse("needs 3 … 500 cells, which lie a cell apart", static_cast<double>(cells.size()));
     const Body body = make_body(cells, 1.2);
@@ -44,8 +50,6 @@ Body lattice_of(Vec2d at, double extent, const std::function<bool(Vec2d)> &has) 
     if (longest > 1.2) refuse("must hold together: its cells 1 apart", longest);
     return body;
 }
-
-} // namespace
 
 Body make_object(Vec2d at, const std::vector<Vec2d> &shape) {
     double extent = 0;

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "body/body.h"
 #include "development/embryo.h"
+#include "evaluation/conditions_text.h"
 #include "evaluation/live.h"
 #include "locomotion/course.h"
 #include "network/activations.h"
@@ -130,7 +131,8 @@ LifeRecording record_life(const Genome &genome, const Conditions &conditions, co
                             .detail = detail,
                             .genome = genome,
                             .actuation = conditions.actuation,
-                            .parameters = conditions.parameters};
+                            .parameters = conditions.parameters,
+                            .conditions = write_conditions(conditions)};
     recording.worlds.push_back({0, conditions.environment});
     for (const Phase &phase : conditions.phases) recording.worlds.push_back({phase.at, phase.environment});
     Recorder recorder(conditions, recording);

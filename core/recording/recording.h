@@ -86,6 +86,7 @@ struct LifeRecording {
     Genome genome;
     Actuation actuation = Actuation::oscillator;
     Parameters parameters;
+    std::string conditions;            // as write_conditions() writes them
     std::vector<RecordedWorld> worlds; // ascending
     Life life;
     std::vector<GrowthFrame> growth;           // the first one is the zygote, before its first decision

@@ -4,6 +4,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "evaluation/life_digest.h"
+#include "genome/genome_text.h"
 #include "recording/packed_numbers.h"
 
 #include <algorithm>
@@ -312,6 +313,13 @@ std::string gait_of(const LifeRecording &recording) {
         .text();
 }
 
+std::string source_of(const LifeRecording &recording) {
+    return JsonObject()
+        .add("genome", json_text(write_genome(recording.genome)))
+        .add("conditions", json_text(recording.conditions))
+        .text();
+}
+
 void add_caption(const LifeRecording &recording, JsonObject &all) {
     const Caption &caption = recording.caption;
     all.add("format", json_text("planula recording 1"))
@@ -361,7 +369,8 @@ std::string recording_json(const LifeRecording &recording) {
         .add("bodies", json_list(recording.bodies, [](const RecordedBody &each) { return text_of(each); }))
         .add("object", object_of(recording))
         .add("gait", gait_of(recording))
-        .add("network", network_of(recording));
+        .add("network", network_of(recording))
+        .add("source", source_of(recording));
     return all.text();
 }
 

@@ -46,6 +46,8 @@
 //       steps          of the updates
 //       cells          as in growth, by updates
 //       values         packed, order 1: of each cell and node in turn the activations in the cell's updates
+//   source             {genome, conditions}: the texts of all that decides the life (genome/genome_text.h,
+//                      evaluation/conditions_text.h)
 #pragma once
 
 #include "recording/recording.h"

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "recording/recording_json.h"
 
+#include "base/json.h"
 #include "base/text.h"
+#include "evaluation/conditions_text.h"
 #include "evaluation/life_digest.h"
+#include "evaluation/live.h"
+#include "genome/genome_text.h"
 #include "support/recordings.h"
 #include "support/specimens.h"
 
@@ -81,9 +85,18 @@ BOOST_AUTO_TEST_CASE(the_text_names_life_and_individual) {
     BOOST_TEST(recording_json(recorded()) == json); // the same life, the same text
 }
 
+BOOST_AUTO_TEST_CASE(the_source_gives_the_same_life) {
+    const LifeRecording recording = recorded();
+    const Genome genome = read_genome(write_genome(recording.genome));
+    BOOST_TEST((live(genome, read_conditions(recording.conditions)) == recording.life));
+    const std::string json = recording_json(recording);
+    BOOST_TEST(json.ends_with(",\"source\":{\"genome\":" + json_text(write_genome(genome)) +
+                              ",\"conditions\":" + json_text(recording.conditions) + "}}"));
+}
+
 BOOST_AUTO_TEST_CASE(less_detail_records_the_same_life_in_less_text) {
     const std::string full = recording_json(recorded()), gallery = recording_json(recorded(gallery_detail));
-    BOOST_TEST(gallery.size() * 3 < full.size());
+    BOOST_TEST(gallery.size() * 2 < full.size());
     BOOST_TEST(member(gallery, "life") == member(full, "life"));
     BOOST_TEST(member(gallery, "signals").empty());
 }
