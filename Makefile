@@ -225,6 +225,23 @@ test-pages: program build/page/report.js ## open reports and replays of the trac
 	@bash tests/support/packages.sh chromium chromium-driver $$(command -v node > /dev/null || echo nodejs)
 	@node tests/browser/run.mjs $(PLANULA) build/pages report replay
 
+wasm: ## build the module with which pages simulate lives again in a browser: build/wasm/planula.js; installs emscripten
+	@bash tests/support/packages.sh cmake make ninja-build libcgal-dev libeigen3-dev emscripten
+	@echo 'wasm: compiling the core for browsers …'
+	@mkdir -p build
+	@export NODE_PATH=/usr/share/nodejs; { emcmake cmake -S scripting/wasm -B build/wasm && cmake --build build/wasm --parallel $(JOBS); } > build/wasm.log 2>&1 || \
+	  { cat build/wasm.log; exit 1; }
+	@echo "wasm: build/wasm/planula.js, $$(($$(wc -c < build/wasm/planula.js) / 1024)) KiB"
+
+# What is simulated again in node: champions of all tracked runs, specimens in all variants, and this many random genomes.
+WASM_CASES ?= 4000
+test-wasm: program wasm ## compare lives that the module simulates, in node and in headless Chromium, with those of the program, to the bit
+	@bash tests/support/packages.sh chromium chromium-driver $$(command -v node > /dev/null || echo nodejs)
+	@cmake --build build --parallel $(JOBS) --target module_cases > build/module_cases.log 2>&1 || { cat build/module_cases.log; exit 1; }
+	@build/tests/module_cases experiments data/runs/replication $(WASM_CASES) > build/wasm/cases
+	@node tests/browser/module_test.mjs build/wasm/planula.js < build/wasm/cases
+	@node tests/browser/run.mjs $(PLANULA) build/pages wasm
+
 lint: ## check layering, forbidden constructs, licences, paths, format, names in the documentation, and that the lint itself can fail
 	@passed=0 failed=0; for check in layering sources format documents rooms lint_test; do \
 	  if bash tests/lint/$$check.sh; then passed=$$((passed + 1)); else failed=$$((failed + 1)); fi; done; \
@@ -253,7 +270,7 @@ deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables report \
-        build program signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
+        build program wasm test-wasm signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:

@@ -2,9 +2,12 @@
 #include "page/page.h"
 
 #include "base/check.h"
+#include "base/error.h"
+#include "base/json.h"
 #include "base/markup.h"
 #include "page/sources.h"
 #include "storage/gzip.h"
+#include "storage/input.h"
 
 namespace planula {
 
@@ -44,11 +47,20 @@ std::string filled_page(std::string_view page,
     }
 }
 
-std::string replay_page(std::string_view title, std::string_view recording_json) {
+std::string packed_module(const std::filesystem::path &file) {
+    const std::string module = read_file(file);
+    if (module.find("planulaModule") == module.npos)
+        throw InputError(file.string() + " is not the module that `make wasm` builds");
+    return packed_for_page(json_text(module));
+}
+
+std::string replay_page(std::string_view title, std::string_view recording_json, std::string_view module) {
     const std::string name = markup_text(title), recording = packed_for_page(recording_json);
-    return filled_page(
-        replay_template(),
-        {{"title", name}, {"style", viewer_style()}, {"recording", recording}, {"script", viewer_script()}});
+    return filled_page(replay_template(), {{"title", name},
+                                           {"style", viewer_style()},
+                                           {"recording", recording},
+                                           {"module", module},
+                                           {"script", viewer_script()}});
 }
 
 } // namespace planula

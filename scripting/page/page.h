@@ -3,6 +3,7 @@
 // data, compressed, in one file. The sources of the viewer travel inside the program.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,7 +23,13 @@ std::string packed_for_page(std::string_view text);
 std::string filled_page(std::string_view page,
                         const std::vector<std::pair<std::string_view, std::string_view>> &texts);
 
-/// A page that plays one recording (core/recording/recording_json.h). `title` is plain text.
-std::string replay_page(std::string_view title, std::string_view recording_json);
+/// The module that `make wasm` builds, from its file, for a page: planula.unpack() gives the text that
+/// planula.mountLaboratory() takes (scripting/page/laboratory.js). Throws InputError if the file holds something else.
+std::string packed_module(const std::filesystem::path &file);
+
+/// A page that plays one recording (core/recording/recording_json.h). `title` is plain text. With a packed module, which
+/// may be empty, the page simulates the life again.
+std::string replay_page(std::string_view title, std::string_view recording_json,
+                        std::string_view module = "");
 
 } // namespace planula

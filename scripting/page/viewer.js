@@ -232,7 +232,7 @@
     }
   }
 
-  Object.assign(planula, { minus });
+  Object.assign(planula, { make, minus });
   planula.mountReplay = function (element, recording, options) {
     const replay = new Replay(element, recording, options || {});
     return {

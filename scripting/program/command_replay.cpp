@@ -30,6 +30,8 @@ constexpr Option options[] = {
     {"png", "FILE", "write that strip as PNG; needs rsvg-convert"},
     {"gif", "FILE", "write a film as GIF; needs ffmpeg"},
     {"mp4", "FILE", "write a film as MP4; needs ffmpeg"},
+    {"module", "FILE",
+     "let the page simulate the life again, by the module that `make wasm` builds: build/wasm/planula.js"},
 };
 
 /// Simulates the individual and records its life. Throws InputError if it is not the one that the run has.
@@ -121,9 +123,10 @@ int replay_life(const Arguments &arguments, Console &console) {
     bool others = false;
     for (const char *form : forms) others = others || arguments.has(form);
     if (!others) check_replaceable(page = page_name(individual, run));
-
+    const std::string module = arguments.has("module") ? packed_module(arguments.text("module")) : "";
+    if (!module.empty() && page.empty()) throw UsageError("--module is for a page: add --html FILE");
     const LifeRecording recording = recorded_life(individual, run);
-    if (!page.empty()) write_new_file(page, replay_page(title, recording_json(recording)));
+    if (!page.empty()) write_new_file(page, replay_page(title, recording_json(recording), module));
     write_pictures(arguments, recording, title);
     write_films(arguments, recording, title);
     if (!others) console.out << page << '\n';

@@ -13,6 +13,7 @@ lists=(core/CMakeLists.txt scripting/CMakeLists.txt)
 for list in "${lists[@]}"; do
     [[ -f $list ]] || { echo "layering: no $list in $PWD" >&2; exit 2; }
 done
-mapfile -t sources < <(find core scripting -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inl' \) | LC_ALL=C sort)
+# scripting/wasm is no room but a program of its own for browsers: it says what its C++ library lacks.
+mapfile -t sources < <(find core scripting -path scripting/wasm -prune -o -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inl' \) -print | LC_ALL=C sort)
 
 LC_ALL=C awk -f tests/lint/layering.awk "${lists[@]}" "${sources[@]}"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.h"
 
+#include "base/error.h"
 #include "storage/input.h"
 #include "support/folder.h"
 
@@ -49,6 +50,18 @@ BOOST_AUTO_TEST_CASE(packed_texts_are_gzip_in_base64_whatever_their_length) {
 BOOST_AUTO_TEST_CASE(a_page_is_filled_with_each_text_once) {
     BOOST_TEST(filled_page("a {{x}} b {{y}}{{x}}", {{"x", "{{y}}"}, {"y", "2"}}) == "a {{y}} b 2{{y}}");
     BOOST_CHECK_THROW(filled_page("{{z}}", {{"x", "1"}}), std::exception);
+}
+
+BOOST_AUTO_TEST_CASE(a_module_travels_in_the_page_and_nothing_else_does) {
+    const Folder folder;
+    folder.write("planula.js", "var planulaModule = \"a\\n</script>\";");
+    folder.write("other.js", "alert()");
+    const std::string module = packed_module(folder.path / "planula.js");
+    BOOST_TEST(has(replay_page("a", "{}", module), ">" + module + "</script>"));
+    folder.write("text.gz", decoded(module));
+    BOOST_TEST(read_file(folder.path / "text.gz") == R"("var planulaModule = \"a\\n</script>\";")");
+    BOOST_CHECK_THROW(packed_module(folder.path / "other.js"), InputError);
+    BOOST_TEST(has(replay_page("a", "{}"), "<script id=\"module\" type=\"application/gzip\"></script>"));
 }
 
 BOOST_AUTO_TEST_CASE(a_replay_needs_nothing_beside_its_page) {
