@@ -73,9 +73,19 @@ data: program ## reduce the runs to the tables in build/data, and simulate every
 frames: program ## simulate the best individuals of each setting again and write its frames
 	@$(MAKE) $(FRAMES)/frames.csv
 
-figures: deps-paper program ## draw every figure from the tables
-	@$(MAKE) figure-files
-	@echo 'figures: $(FIGURES)'
+figures: deps-paper program ## draw the article's figures from the tables; RUNS=DIR draws those of your own runs, EXPERIMENT=FILE runs a script first: build/figures/<name>, as FORMATS="pdf svg png"
+	@if [ -n '$(own)' ]; then $(MAKE) own-figures; else $(MAKE) figure-files; echo 'figures: $(FIGURES)'; fi
+
+own-figures:
+	@[ -n '$(given_runs)' ] || $(PLANULA) run $(EXPERIMENT) $(DESIGN) --out '$(RUNS)'
+	@bash paper/figures/plot.sh $(PLANULA) '$(RUNS)' '$(FIGURES)/$(notdir $(if $(given_script),$(basename $(EXPERIMENT)),$(RUNS:%/=%)))' '$(FORMATS)' $(if $(given_script),$(EXPERIMENT))
+FORMATS ?= pdf svg png
+given_runs = $(filter command environment,$(firstword $(origin RUNS)))
+given_script = $(filter command environment,$(firstword $(origin EXPERIMENT)))
+own = $(given_runs)$(filter-out experiments/paper/replication.lua,$(EXPERIMENT))
+
+gallery: deps-paper program ## run every file of experiments/variants/ a little, and draw its best body for the README: paper/variants/, some 20 minutes
+	@bash paper/figures/gallery.sh $(PLANULA) $(OUT)/gallery paper/variants
 
 picture: deps-paper program ## draw the animat of the README, paper/animat.png
 	@$(MAKE) paper/animat.png
@@ -269,7 +279,7 @@ deps: ## install the packages to build and test
 deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures figure-files picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables report \
+.PHONY: help paper test smoke evolve data frames figures own-figures figure-files gallery picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables report \
         build program wasm test-wasm signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
@@ -330,7 +340,7 @@ $(PAGES:%=$(FIGURES)/%.pdf): $(FIGURES)/%.pdf: $(FIGURES)/%/page.gp $(STYLE)
 	@$(call draw,layout='$(FIGURES)/$*',paper/figures/page.gp)
 
 paper/animat.png: $(FIGURES)/portrait/page.gp $(STYLE)
-	@gnuplot -e "layout='$(FIGURES)/portrait'; out='$@'" paper/figures/page.gp 2> $(FIGURES)/portrait/log
+	@gnuplot -e "layout='$(FIGURES)/portrait'; out='$@'; words = 0" paper/figures/page.gp 2> $(FIGURES)/portrait/log
 	@echo 'picture: $@'
 
 $(PAGES:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/page.gp: $(wildcard paper/figures/*.lua) \

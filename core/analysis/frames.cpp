@@ -22,7 +22,7 @@ namespace {
 constexpr int frames_per_stage = 6;
 using Steps = std::array<int, frames_per_stage>;
 constexpr int path_interval = 20; // steps between the points of a path
-constexpr double margin = 10;     // cells that the ground is shown beyond the outermost cell
+constexpr double margin = 10;     // cells of ground beyond where the others of the run may have ended
 
 /// The best individual of one of a setting's shown runs, as best_genomes.csv has it.
 struct Shown {
@@ -169,11 +169,13 @@ class FrameWatcher {
     }
 
   private:
+    /// As far again as the best came, on both sides.
     void draw_line(const char *kind, const std::vector<Vec2d> &line) {
-        std::vector<Vec2d> points{{left_ - margin, height_of(line, left_ - margin)}};
+        const double left = 2 * left_ - right_ - margin, right = 2 * right_ - left_ + margin;
+        std::vector<Vec2d> points{{left, height_of(line, left)}};
         for (const Vec2d corner : line)
-            if (corner.x > left_ - margin && corner.x < right_ + margin) points.push_back(corner);
-        points.push_back({right_ + margin, height_of(line, right_ + margin)});
+            if (corner.x > left && corner.x < right) points.push_back(corner);
+        points.push_back({right, height_of(line, right)});
         draw_points(kind, 0, points);
     }
 

@@ -61,9 +61,9 @@ end
 
 local function turned(turn, x, y) return turn[1] * x - turn[2] * y, turn[2] * x + turn[1] * y end
 
--- The frames of an individual that have cells, turned, with their box; of a body on land the box begins at the ground,
--- which its cells touch with their centres.
-local function stage_of(key, stage, grounded, turn)
+-- The frames of an individual that have cells, turned, with their box; of a body on flat ground the box begins there, where
+-- cells touch it with their centres.
+local function stage_of(key, stage, flat, turn)
   local frames = {}
   for _, row in ipairs(tables.frames[key .. ' ' .. stage] or {}) do
     local frame = { step = number(row.step), cells = {}, links = {} }
@@ -82,36 +82,43 @@ local function stage_of(key, stage, grounded, turn)
   local wide, high = 0, 0
   for _, frame in ipairs(frames) do
     frame.box = box_of { frame }
-    if grounded then frame.box.low = math.min(frame.box.low, -0.5) end
+    if flat then frame.box.low = math.min(frame.box.low, -0.5) end
     wide, high = math.max(wide, frame.box.right - frame.box.left), math.max(high, frame.box.high - frame.box.low)
   end
   return { frames = frames, box = box_of(frames), wide = wide, high = high }
 end
 
+-- The lines of an individual's world, and whether they are flat ground at a height of 0.
+local function terrain_of(key)
+  local terrain, flat = {}, true
+  for _, row in ipairs(tables.terrain[key] or {}) do
+    local line = row.kind .. ' ' .. row.line
+    if not terrain[line] then
+      terrain[line] = {}
+      table.insert(terrain, terrain[line]) -- in the order of the table
+    end
+    table.insert(terrain[line], { number(row.x), number(row.y) })
+    flat = flat and row.kind == 'ground' and number(row.y) == 0
+  end
+  return terrain, flat and #terrain > 0
+end
+
 -- The best individual of the run of this rank; nil if there is none. Gait and path of a swimmer are turned so that it moves
--- to the right.
+-- to the right, unless there is something in its world.
 function animats.individual(setting, rank)
   local key = setting .. ' ' .. rank
   local described = tables.morphologies[key] and tables.morphologies[key][1]
   if not described then return nil end
-  local land, still = settings[setting].world == 'terrestrial', { 1, 0 }
+  local still = { 1, 0 }
   local centres = {}
   for _, row in ipairs(tables.paths[key] or {}) do centres[#centres + 1] = { number(row.x), number(row.y) } end
   if #centres == 0 then return nil end
-  local turn = land and still or turn_of(centres)
+  local terrain, flat = terrain_of(key)
+  local turn = #terrain > 0 and still or turn_of(centres)
   for _, place in ipairs(centres) do place[1], place[2] = turned(turn, place[1], place[2]) end
-  local one = { land = land, seed = described.seed, cells = number(described.cells), moved = number(described.displacement),
-                growth = stage_of(key, 'growth', false, still), gait = stage_of(key, 'gait', land, turn),
-                path = stage_of(key, 'path', land, turn), centres = centres, terrain = {} }
-  for _, row in ipairs(tables.terrain[key] or {}) do
-    local line = row.kind .. ' ' .. row.line
-    if not one.terrain[line] then
-      one.terrain[line] = {}
-      table.insert(one.terrain, one.terrain[line]) -- in the order of the table
-    end
-    table.insert(one.terrain[line], { number(row.x), number(row.y) })
-  end
-  return one
+  return { flat = flat, seed = described.seed, cells = number(described.cells), moved = number(described.displacement),
+           growth = stage_of(key, 'growth', false, still), gait = stage_of(key, 'gait', flat, turn),
+           path = stage_of(key, 'path', flat, turn), centres = centres, terrain = terrain }
 end
 
 -- Draws a frame with its origin at (x0, y0); `colour` may be a number for all cells.
@@ -124,37 +131,47 @@ function animats.draw(on, frame, x0, y0, scale, colour, springs)
   end
 end
 
--- The part of a piece of a line between two x, as its ends; nil if there is none.
-local function clipped(a, b, left, right)
-  if a[1] > b[1] then a, b = b, a end
-  if b[1] < left or a[1] > right then return nil end
-  local function at(x) return { x, a[2] + (b[2] - a[2]) * (x - a[1]) / (b[1] - a[1]) } end
-  return a[1] < left and at(left) or a, b[1] > right and at(right) or b
+-- The part of a piece of a line within bounds, as its ends; nil if there is none.
+local function clipped(a, b, bounds)
+  local from, to = 0, 1
+  for axis, ends in ipairs(bounds) do
+    local start, change = a[axis], b[axis] - a[axis]
+    if change == 0 then
+      if start < ends[1] or start > ends[2] then return nil end
+    else
+      local first, second = (ends[1] - start) / change, (ends[2] - start) / change
+      from, to = math.max(from, math.min(first, second)), math.min(to, math.max(first, second))
+    end
+  end
+  if from > to then return nil end
+  local function at(share) return { a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2]) } end
+  return at(from), at(to)
 end
 
--- Draws the terrain between two x, with its origin at (x0, y0).
-function animats.draw_terrain(on, one, x0, y0, scale, left, right)
+-- Draws the terrain within bounds { { left, right }, { low, high } }, with its origin at (x0, y0).
+function animats.draw_terrain(on, one, x0, y0, scale, bounds)
   for _, line in ipairs(one.terrain) do
     for i = 2, #line do
-      local a, b = clipped(line[i - 1], line[i], left, right)
+      local a, b = clipped(line[i - 1], line[i], bounds)
       if a then on:line(x0 + scale * a[1], y0 + scale * a[2], x0 + scale * b[1], y0 + scale * b[2], 'ground') end
     end
   end
 end
 
--- Draws frames side by side in a box with its left upper corner at (left, top), each in the middle of its place; bodies on
--- land keep their distance to the ground, which is drawn below each. Returns the scale.
+-- Draws frames side by side in a box with its left upper corner at (left, top); bodies on flat ground keep their distance
+-- to it, others in a world with terrain stand at the foot of the box. The terrain is drawn about each. Returns the scale.
 function animats.row(on, one, stage, left, top, width, height, largest_scale)
   local count = #stage.frames
   local place = width / count
   local scale = math.min(largest_scale, (place - 0.12) / stage.wide, height / stage.high)
   for index, frame in ipairs(stage.frames) do
-    local x0 = left + (index - 0.5) * place - scale * (frame.box.left + frame.box.right) / 2
+    local middle = (frame.box.left + frame.box.right) / 2
+    local x0 = left + (index - 0.5) * place - scale * middle
     local y0 = top - height / 2 - scale * (frame.box.low + frame.box.high) / 2
-    if stage == one.gait and one.land then
-      local middle = (frame.box.left + frame.box.right) / 2
-      y0 = top - height + 0.5 * scale
-      animats.draw_terrain(on, one, x0, y0, scale, middle - place / scale / 2, middle + place / scale / 2)
+    if stage == one.gait and #one.terrain > 0 then
+      y0 = top - height - scale * (one.flat and -0.5 or frame.box.low)
+      local half, foot = place / scale / 2, (top - height - y0) / scale
+      animats.draw_terrain(on, one, x0, y0, scale, { { middle - half, middle + half }, { foot - 1, foot + height / scale } })
     end
     animats.draw(on, frame, x0, y0, scale, stage == one.growth and page.grey or nil, true)
   end
@@ -170,16 +187,16 @@ end
 local function shade(index, count) return page.ramp({ { 0, 0xEC, 0xEF, 0xF1 }, { 1, 0x90, 0xA4, 0xAE } }, (index - 1) / math.max(1, count - 2)) end
 
 -- Draws the path of the centre of mass and the frames along it where they were, in a box with its left upper corner at
--- (left, top); on land the ground is at its foot. Returns the scale, and the place of x = 0.
+-- (left, top); where there is ground it is at its foot. Returns the scale, and the place of x = 0.
 function animats.path(on, one, left, top, width, height, largest_scale)
   local box = { left = one.path.box.left, right = one.path.box.right, low = one.path.box.low, high = one.path.box.high }
-  if one.land then box.low = math.min(box.low, -0.5) end
+  if one.flat then box.low = math.min(box.low, -0.5) end
   local scale = math.min(largest_scale, width / (box.right - box.left), height / (box.high - box.low))
   local x0 = left + width / 2 - scale * (box.left + box.right) / 2
-  local y0 = one.land and top - height - scale * box.low or top - height / 2 - scale * (box.low + box.high) / 2
-  local span = one.land and width / scale / 2 or 0
-  local middle = (box.left + box.right) / 2
-  animats.draw_terrain(on, one, x0, y0, scale, middle - span, middle + span)
+  local grounded = #one.terrain > 0
+  local y0 = grounded and top - height - scale * box.low or top - height / 2 - scale * (box.low + box.high) / 2
+  local half, middle = width / scale / 2, (box.left + box.right) / 2
+  animats.draw_terrain(on, one, x0, y0, scale, { { middle - half, middle + half }, { box.low - 1, box.low + height / scale + 0.5 } })
   for index, frame in ipairs(one.path.frames) do
     if index < #one.path.frames then animats.draw(on, frame, x0, y0, scale, shade(index, #one.path.frames), false) end
   end

@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 6 of the original: performance with oscillators.
-actuation = 'osc'
+# Figure 6 of the original: performance with oscillators, in water and on land.
+panels = '1 2'
+panel_name(p) = p % 2 == 1 ? 'water' : 'land'
 load 'paper/figures/performance.gp'

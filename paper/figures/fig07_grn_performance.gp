@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Figure 7 of the original: performance with the gene regulatory network.
-actuation = 'grn'
+# Figure 7 of the original: performance with the gene regulatory network, in water and on land.
+panels = '3 4'
+panel_name(p) = p % 2 == 1 ? 'water' : 'land'
 load 'paper/figures/performance.gp'

@@ -1,9 +1,11 @@
 -- SPDX-License-Identifier: MIT
--- Lays out the pictures of the best individuals: Figures 1, 3, 4 and 5, and the portrait of a single one.
+-- Lays out the pictures of the best individuals: Figures 1, 3, 4 and 5, the portrait of a single one, and those of any
+-- experiment, on a page or on a card of the gallery.
 --
---   texlua paper/figures/individuals.lua FIGURE FRAMES DATA OUT [SETTING]
+--   texlua paper/figures/individuals.lua FIGURE FRAMES DATA OUT [SETTING | LIST]
 --
--- FIGURE is fig01_development, fig03_…, fig04_…, fig05_… or portrait; SETTING is that of fig01_development and portrait.
+-- FIGURE is fig01_development, fig03_…, fig04_…, fig05_…, portrait, bodies or card; SETTING is that of fig01_development
+-- and portrait, LIST the file in which plan.lua has written the settings of bodies and card.
 package.path = 'paper/?.lua;paper/figures/?.lua;' .. package.path
 local animats = require 'animats'
 local page = require 'page'
@@ -40,7 +42,7 @@ local function head(one, rank, y, scale, path_scale)
 end
 
 -- Where the path of an individual lies vertically.
-local function path_low(one) return one.land and math.min(one.path.box.low, -0.5) or one.path.box.low end
+local function path_low(one) return one.flat and math.min(one.path.box.low, -0.5) or one.path.box.low end
 
 -- How high something is drawn in a width, at most `height`.
 local function fitting(high, wide, width_of_place, height, largest) return math.min(height, high * math.min(largest, width_of_place / wide)) end
@@ -79,7 +81,7 @@ local function panel(letter, setting, title, y, draw)
     local one = animats.individual(setting, rank)
     if one then
       y = draw(one, rank, y)
-    else
+    elseif rank == 1 or figure ~= 'bodies' then
       on:text(indent, y - 0.25, missing(setting, rank), 'missing')
       y = y - 0.6
       if not animats.setting(setting) then break end
@@ -88,13 +90,20 @@ local function panel(letter, setting, title, y, draw)
   return y - 0.15
 end
 
+-- A panel for each { setting, title }.
 local function draw_panels(list, draw)
   local y = 0
-  for index, setting in ipairs(list) do
-    local letter = string.char(string.byte 'A' + index - 1)
-    y = panel(letter, setting, ('%s, %s'):format(name_of_search(setting), name_of_world(setting)), y, draw)
+  for index, each in ipairs(list) do
+    y = panel(#list > 1 and string.char(string.byte 'A' + (index - 1) % 26) or '', each.setting, each.title, y, draw)
   end
   return y
+end
+
+-- As the article calls them.
+local function of_article(names)
+  local list = {}
+  for _, name in ipairs(names) do list[#list + 1] = { setting = name, title = ('%s, %s'):format(name_of_search(name), name_of_world(name)) } end
+  return list
 end
 
 -- Growth and gait of one individual, and its path: 'fig01_development'.
@@ -139,16 +148,37 @@ local function draw_portrait(setting)
   return y
 end
 
+-- Gait and path of the best individual of each setting, without words.
+local function draw_card(list)
+  local y = -0.3
+  for _, each in ipairs(list) do
+    local one = animats.individual(each.setting, 1)
+    if one then
+      local high, path_high = gait_height(one, width, 2.4, 0.2), path_height(one, width, 2.6, 0.2)
+      animats.row(on, one, one.gait, 0, y, width, high, 0.2)
+      animats.path(on, one, 0, y - high - 0.6, width, path_high, 0.2)
+      y = y - high - path_high - 1.3
+    end
+  end
+  return y + 0.3
+end
+
 local foot
 if figure == 'portrait' then
   foot = draw_portrait(chosen)
 elseif figure:match '^fig01' then
   foot = draw_development(chosen)
 elseif figure:match '^fig03' then
-  foot = draw_panels({ 'osc-aq-neat', 'osc-aq-ns' }, function(one, rank, y) return above(one, rank, y, 1.7, 0.16) end)
+  foot = draw_panels(of_article { 'osc-aq-neat', 'osc-aq-ns' }, function(one, rank, y) return above(one, rank, y, 1.7, 0.16) end)
 elseif figure:match '^fig04' then
-  foot = draw_panels({ 'osc-te-neat', 'osc-te-ns' }, function(one, rank, y) return above(one, rank, y, 1.6, 0.16) end)
+  foot = draw_panels(of_article { 'osc-te-neat', 'osc-te-ns' }, function(one, rank, y) return above(one, rank, y, 1.6, 0.16) end)
+elseif figure == 'card' then
+  foot = draw_card(dofile(chosen))
+elseif figure == 'bodies' then
+  local list = dofile(chosen)
+  ranks = #list <= 2 and 3 or 1
+  foot = draw_panels(list, function(one, rank, y) return above(one, rank, y, 1.7, 0.16) end)
 else
-  foot = draw_panels({ 'grn-te-neat', 'grn-te-ns', 'grn-aq-neat', 'grn-aq-ns' }, function(one, rank, y) return beside(one, rank, y, 1.15, 0.14) end)
+  foot = draw_panels(of_article { 'grn-te-neat', 'grn-te-ns', 'grn-aq-neat', 'grn-aq-ns' }, function(one, rank, y) return beside(one, rank, y, 1.15, 0.14) end)
 end
 on:save(foot)

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Draws what page.lua has laid out in cm. Given: layout (its folder) and out; a name that ends in .png gives a picture
-# without text.
+# Draws what page.lua has laid out in cm. Given: layout (its folder) and out; with words = 0 a PNG without text.
 height = 1 # until the layout sets it
 load 'paper/figures/style.gp'
 load layout.'/page.gp'
 set datafile separator tab
+set datafile commentschars "\001" # a title may have any other
 part(name) = layout.'/'.name.'.tsv'
-words = out[strlen(out) - 3:] ne '.png'
-if (words) { eval terminal(width, height) } else { eval sprintf('set terminal pngcairo size %d,%d fontscale 1 linewidth 2', 80 * width, 80 * height) }
+if (!exists('words')) words = 1
+if (!exists('density')) density = 80 # pixels per cm without text
+if (words) { eval terminal(width, height) } else { eval sprintf('set terminal pngcairo size %d,%d fontscale 1 linewidth %g pointscale 1', density * width, density * height, density / 40.0) }
+set termoption noenhanced # texts of the page are plain
 set output out
 
 unset border
@@ -36,9 +38,10 @@ set style arrow 14 nohead linewidth 1.3 linecolor rgb 0xA57BB5
 set style arrow 15 nohead linewidth 1.3 linecolor rgb 0xC9C9C9
 set style arrow 16 nohead linewidth 1.3 linecolor rgb 0x6DB873
 set style arrow 17 nohead linewidth 1.3 linecolor rgb 0x1B7837
-# A point of type 7 and size 1 is a disc of radius 3 units of the terminal, pt in PDF and pixels in PNG: far less to draw
-# than gnuplot's circles, which are polygons.
-size_of(radius) = radius / (words ? 3 * 2.54 / 72 : 3 / 80.0)
+# A point of type 7 and size 1 is a disc of this radius in cm, 3 units of the terminal: far less to draw than gnuplot's
+# circles, which are polygons.
+disc = !words ? 3.0 / density : ending eq 'png' ? 3 * 2.8 / 80 : ending eq 'svg' ? 3 / 37.8 : 3 * 2.54 / 72
+size_of(radius) = radius / disc
 on(n) = column('layer') == n ? column('x') : NaN
 styled(style) = words && stringcolumn('style') eq style ? stringcolumn('text') : ''
 pictures = ''

@@ -74,7 +74,7 @@ function page:text(x, y, text, style) write(self, 'labels', '%.4f\t%.4f\t%s\t%s'
 -- The head of a panel.
 function page:title(x, y, letter, text)
   self:text(x, y, letter, 'letter')
-  self:text(x + 0.5, y, text, 'title')
+  self:text(letter == '' and x or x + 0.5, y, text, 'title')
 end
 
 -- A bar of some whole number of cell diameters, with its length.

@@ -2,8 +2,12 @@
 # The style of every figure. Given by the caller: data (folder of tables), out (file to write), height (cm).
 # Colours are those of Okabe and Ito, which people with any kind of colour vision can tell apart.
 width = 16.0
-terminal(width, height) = sprintf("set terminal pdfcairo size %gcm,%gcm ", width, height) \
-                          ."font 'Latin Modern Roman,9' fontscale 0.75 linewidth 1 dashlength 0.6"
+# The terminal of the file's ending: pdf, svg or png; lengths are cm, and all three show the same.
+ending = out[strlen(out) - 2:]
+terminal(width, height) = \
+    ending eq 'svg' ? sprintf("set terminal svg size %.1f,%.1f dynamic background '#ffffff' font 'Latin Modern Roman,Georgia,serif,9' fontscale 1 linewidth 1.33 dashlength 0.6", 37.8 * width, 37.8 * height) : \
+    ending eq 'png' ? sprintf("set terminal pngcairo size %d,%d font 'Latin Modern Roman,9' fontscale 1.65 linewidth 2.2 dashlength 0.6 pointscale 2.8", 80 * width, 80 * height) : \
+    sprintf("set terminal pdfcairo size %gcm,%gcm font 'Latin Modern Roman,9' fontscale 0.75 linewidth 1 dashlength 0.6", width, height)
 eval terminal(width, height)
 set encoding utf8
 set output out
@@ -33,7 +37,9 @@ set ytics offset 0.4,0
 set grid ytics linewidth 0.5 linecolor rgb pale dashtype 1
 set style fill solid noborder
 set key textcolor rgb ink spacing 1.2
-panel_title(letter, text) = '{/:Bold '.letter.'}   '.text
+panel_title(letter, text) = letter eq '' ? text : '{/:Bold '.letter.'}   '.text
+letter(n) = 'ABCDEFGHIJKLMNOPQRSTUVWXYZ'[n:n]
+if (!exists("GPFUN_panel_name")) panel_name(p) = panel[p]
 
 # Colours of generations, light for the first to dark for the last.
 set palette defined (0 '#fde725', 0.25 '#5ec962', 0.5 '#21918c', 0.75 '#3b528b', 1 '#440154')
