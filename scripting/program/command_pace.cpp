@@ -81,9 +81,9 @@ class PaceCommand {
     }
 
     int run() {
-        std::int64_t evaluations = 0;
+        Workload evaluations;
         for (const Spec &setting : experiment_.settings)
-            evaluations +=
+            evaluations[setting.name] =
                 std::int64_t{setting.parameters.neat.population} * setting.parameters.design.generations;
         Progress progress(console_.err, console_.terminal, evaluations);
         console_.out << header_line<PaceRow>();
@@ -115,13 +115,13 @@ class PaceCommand {
         experiment_.functions[index]->begin_run();
         Stopwatch stopwatch(setting.name);
         double best = 0;
+        const Progress::Open open(progress, setting.name);
         planula::run(
             setting, paced_seed, threads_,
             [&](const Generation &generation) {
                 stopwatch.observe(generation);
                 best = std::max(best, generation.evaluations[generation.best].fitness);
-                progress.generation(setting.name, generation.number, setting.parameters.design.generations,
-                                    best, static_cast<int>(generation.lives.size()));
+                progress.generation(report_of(setting, setting.name, generation, best));
             },
             [&] { return interrupt_.requested(); });
         return stopwatch.rows();

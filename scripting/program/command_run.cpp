@@ -93,18 +93,12 @@ class RunCommand {
 
     int run() {
         check_folders();
-        std::int64_t evaluations = 0;
-        int before = 0;
-        for (const int level : levels_) evaluations += evaluations_to(level, std::exchange(before, level));
         const Interrupt interrupt;
         ProgressFile file(out_);
-        Progress progress(console_.err, console_.terminal, evaluations,
+        Progress progress(console_.err, console_.terminal, {},
                           [&](const Standing &standing) { file.write(standing); });
         try {
-            before = 0;
-            for (std::size_t i = 0; i < levels_.size(); ++i)
-                run_level(levels_[i], std::exchange(before, levels_[i]),
-                          static_cast<int>(levels_.size() - 1 - i), interrupt, progress);
+            for (std::size_t i = 0; i < levels_.size(); ++i) run_level(i, interrupt, progress);
         } catch (const Stopped &) {
             throw Stopped("stopped; all results so far are saved, and the same command resumes");
         }
@@ -141,13 +135,14 @@ class RunCommand {
                                 : "\n  Nothing was changed."));
     }
 
-    // Evaluations to a level from the one before, or from the generations that a run has if these are more.
-    std::int64_t evaluations_to(int level, int from) const {
-        std::int64_t evaluations = 0;
+    // The evaluations that runs lack to a level.
+    Workload workload_to(int level) const {
+        Workload evaluations;
         for (const PlannedRun &run : runs_) {
-            const int done = std::max(from, recorded_generations(folder_of(run)));
-            const Parameters &p = experiment_.settings[run.setting].parameters;
-            evaluations += std::int64_t{std::max(0, generations_of(run, level) - done)} * p.neat.population;
+            const int lacking = generations_of(run, level) - recorded_generations(folder_of(run));
+            const Spec &setting = experiment_.settings[run.setting];
+            evaluations[setting.name] +=
+                std::int64_t{std::max(0, lacking)} * setting.parameters.neat.population;
         }
         return evaluations;
     }
@@ -156,7 +151,8 @@ class RunCommand {
         return complete_generations(folder_of(run)) >= generations_of(run, level);
     }
 
-    void run_level(int level, int from, int levels_left, const Interrupt &interrupt, Progress &progress) {
+    void run_level(std::size_t at, const Interrupt &interrupt, Progress &progress) {
+        const int level = levels_[at];
         std::vector<PlannedRun> open;
         for (const PlannedRun &run : runs_)
             if (!has_reached(run, level))
@@ -164,8 +160,8 @@ class RunCommand {
             else
                 tidy_complete_run(folder_of(run));
         const int runs = static_cast<int>(runs_.size()), done = runs - static_cast<int>(open.size());
-        progress.begin_level(generations_of(runs_.front(), level), levels_left, runs, done,
-                             evaluations_to(level, from));
+        progress.begin_level(generations_of(runs_.front(), level), static_cast<int>(levels_.size() - 1 - at),
+                             runs, done, workload_to(level), workload_to(levels_.back()));
         if (done > 0)
             progress.tell(to_text(done) + " of " + to_text(runs) + " runs have " +
                           to_text(generations_of(runs_.front(), level)) + " generations already");
@@ -207,14 +203,13 @@ class RunCommand {
             return;
         }
         spec.parameters.design.generations = writer.generations();
-        const Progress::Open open(progress);
+        const Progress::Open open(progress, name);
         RunState state = start(setting, name, run.seed, writer, workers, stop, progress);
         Reused reused;
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
             reused.add(generation);
-            progress.generation(name, generation.number, spec.parameters.design.generations,
-                                writer.best_fitness(), static_cast<int>(generation.lives.size()));
+            progress.generation(report_of(spec, name, generation, writer.best_fitness()));
         };
         try {
             planula::run(

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "base/error.h"
 #include "base/json.h"
 #include "base/text.h"
 #include "program/commands.h"
+#include "program/interrupt.h"
+#include "program/overview.h"
 #include "program/progress.h"
-#include "program/progress_file.h"
-#include "record/run_reader.h"
+#include "program/status_page.h"
+#include "storage/output.h"
 
-#include <algorithm>
-#include <map>
+#include <ctime>
 #include <ostream>
+
+#include <unistd.h>
 
 namespace planula {
 
@@ -17,40 +21,9 @@ namespace {
 constexpr Option options[] = {
     {"json", "", "print JSON"},
     {"runs", "", "also print a line for each run"},
+    {"page", "FILE", "write a page for a browser, with the curves of all runs"},
+    {"every", "SECONDS", "with --page: write it again and again until no process works on the runs"},
 };
-
-/// The state of all runs below a folder.
-struct Overview {
-    std::vector<RunStatus> runs;
-    std::map<int, int> complete; // runs by the generations that are complete
-    int unfinished = 0, unreadable = 0;
-    std::int64_t evaluations = 0; // of complete generations and of those up to the checkpoint
-    std::uintmax_t bytes = 0;
-    std::vector<ProgressRow> processes;
-    double rate = 0, seconds_left_level = 0, seconds_left = 0;
-};
-
-int done_in(const RunStatus &run) { return std::max(run.complete, run.kept); }
-
-Overview overview_of(const std::filesystem::path &folder) {
-    Overview all;
-    all.runs = statuses(folder);
-    for (const RunStatus &run : all.runs) {
-        ++all.complete[run.complete];
-        all.unfinished += run.kept > run.complete;
-        all.unreadable += !run.trouble.empty();
-        all.evaluations += std::int64_t{done_in(run)} * run.population;
-        all.bytes += run.bytes;
-    }
-    all.processes = read_progress(folder);
-    // Processes work at the same time: the slowest determines the time left.
-    for (const ProgressRow &row : all.processes) {
-        all.rate += row.rate;
-        all.seconds_left_level = std::max(all.seconds_left_level, row.seconds_left_level);
-        all.seconds_left = std::max(all.seconds_left, row.seconds_left);
-    }
-    return all;
-}
 
 std::string size_text(std::uintmax_t bytes) {
     constexpr double megabyte = 1e6, gigabyte = 1e9;
@@ -129,7 +102,36 @@ void print_json(const Overview &all, std::ostream &out) {
         << ",\n  \"seconds_left\": " << seconds_text(all.seconds_left, all.rate) << "\n}\n";
 }
 
+/// The time of this machine, without its zone's name, which may be anything.
+std::string time_text() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    ::localtime_r(&now, &parts);
+    const auto two = [](int number) { return (number < 10 ? "0" : "") + to_text(number); };
+    return to_text(1900 + parts.tm_year) + "-" + two(parts.tm_mon + 1) + "-" + two(parts.tm_mday) + " " +
+           two(parts.tm_hour) + ":" + two(parts.tm_min) + ":" + two(parts.tm_sec);
+}
+
+/// Writes the page once, or until no process works on the runs or the user stops it. The last one stays as it is.
+int write_pages(const Arguments &arguments, Console &console) {
+    const std::filesystem::path folder = arguments.operands.at(0), file = arguments.text("page");
+    const int every = arguments.whole("every", 1, 0);
+    const Interrupt interrupt;
+    Words words;
+    for (bool goes_on = true; goes_on;) {
+        const Overview all = overview_of(folder);
+        words = words_of(all, std::move(words));
+        goes_on = every > 0 && !all.processes.empty() && !interrupt.requested();
+        write_file(file, status_page(all, curves_of(all), words, time_text(), goes_on ? every : 0));
+        for (int second = 0; goes_on && second < every && !interrupt.requested(); ++second) ::sleep(1);
+    }
+    console.out << file.string() << '\n';
+    return 0;
+}
+
 int print_status(const Arguments &arguments, Console &console) {
+    if (arguments.has("page")) return write_pages(arguments, console);
+    if (arguments.has("every")) throw UsageError("--every belongs to --page, which is not given");
     const Overview all = overview_of(arguments.operands.at(0));
     if (arguments.has("json"))
         print_json(all, console.out);
@@ -146,7 +148,11 @@ const Command &status_command() {
         "DIR",
         "reports how far the runs in a folder are, and their size on disk",
         R"(DIR is the folder that was given to planula run as --out. Reports how many runs have completed how many
-generations, how many are unfinished, and, while processes work on them, their speed and the time left.)",
+generations, how many are unfinished, and, while processes work on them, their speed and the time left.
+
+--page writes one HTML file that needs nothing else: open it in a browser. With --every it is written again until the
+runs end or Ctrl-C, and the browser loads it again by itself. It shows what the runs have saved, by default every
+tenth generation, and never disturbs them.)",
         options,
         print_status};
     return command;

@@ -42,20 +42,21 @@ class Forecast {
   private:
     void measure_all() {
         const Interrupt interrupt;
-        std::int64_t evaluations = 0;
+        Workload evaluations;
         for (const std::size_t i : settings_) {
             const Parameters &p = experiment_.settings[i].parameters;
-            evaluations +=
+            evaluations[experiment_.settings[i].name] =
                 std::int64_t{std::min(measured_generations, p.design.generations)} * p.neat.population;
         }
         Progress progress(console_.err, console_.terminal, evaluations);
         for (const std::size_t i : settings_) {
             const SettingForRun own = setting_for_run(experiment_, i);
-            const Parameters &p = own.spec.parameters;
+            const Progress::Open open(progress, own.spec.name);
             const auto show = [&](const Generation &generation) {
-                progress.generation(own.spec.name, generation.number,
-                                    std::min(measured_generations, p.design.generations),
-                                    generation.evaluations[generation.best].fitness, p.neat.population);
+                GenerationReport report = report_of(own.spec, own.spec.name, generation,
+                                                    generation.evaluations[generation.best].fitness);
+                report.generations = std::min(measured_generations, report.generations);
+                progress.generation(report);
             };
             measured_.push_back(measure(
                 own.spec, runs_.front().seed, measured_generations, threads_,

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace planula {
@@ -13,39 +14,73 @@ constexpr double seconds_between_lines = 10;     // without a terminal
 constexpr double seconds_between_rewrites = 0.2; // on a terminal
 constexpr double seconds_between_shares = 5;
 
-double seconds_from(std::chrono::steady_clock::time_point then, std::chrono::steady_clock::time_point now) {
-    return std::chrono::duration<double>(now - then).count();
-}
-
 /// The part of the line that is about all runs and levels.
 std::string whole_text(const Standing &standing) {
     std::string text;
     if (standing.runs > 1)
-        text += ", " + to_text(standing.runs_done) + " of " + to_text(standing.runs) + " runs at " +
-                to_text(standing.level) + " generations";
-    text += ", " + to_fixed(standing.rate, standing.rate < 10 ? 1 : 0) + " evaluations/s, " +
+        text += "; " + to_text(standing.runs_done) + " of " + to_text(standing.runs) + " runs done, level " +
+                to_text(standing.level);
+    if (!(standing.rate > 0)) return text + "; time left not known yet";
+    text += "; " + to_fixed(standing.rate, standing.rate < 10 ? 1 : 0) + " evaluations/s, " +
             duration_text(standing.seconds_left_level) + " left";
     if (standing.levels_left > 0) text += " (all levels: " + duration_text(standing.seconds_left) + ")";
     return text;
 }
 
+std::string text_of(const GenerationReport &report) {
+    return report.run + ": generation " + to_text(report.number + 1) + " of " + to_text(report.generations) +
+           ", best " + to_fixed(report.best, 2) + (report.unit.empty() ? "" : " " + report.unit) + ", " +
+           to_fixed(100 * report.viable, 0) + " % viable";
+}
+
+void subtract(Workload &left, const std::string &setting, int evaluations) {
+    if (const auto own = left.find(setting); own != left.end())
+        own->second = std::max<std::int64_t>(0, own->second - evaluations);
+}
+
 } // namespace
 
-Progress::Progress(std::ostream &out, bool terminal, std::int64_t evaluations,
+std::string fitness_unit(const Spec &setting) {
+    for (const FunctionMeaning &function : setting.judgement)
+        if (function.name == "fitness" &&
+            ("/" + function.place).find("/paper/judgement.lua:") != std::string::npos)
+            return "cell diameters";
+    return "";
+}
+
+GenerationReport report_of(const Spec &setting, const std::string &run, const Generation &generation,
+                           double best) {
+    const auto viable = std::count_if(generation.lives.begin(), generation.lives.end(),
+                                      [](const Life &life) { return life.outcome == Outcome::viable; });
+    const auto lives = static_cast<int>(generation.lives.size());
+    return {.setting = setting.name,
+            .run = run,
+            .number = generation.number,
+            .generations = setting.parameters.design.generations,
+            .best = best,
+            .unit = fitness_unit(setting),
+            .viable = static_cast<double>(viable) / lives,
+            .evaluations = lives};
+}
+
+Progress::Progress(std::ostream &out, bool terminal, Workload planned,
                    std::function<void(const Standing &)> share)
-    : out_(out), terminal_(terminal), share_(std::move(share)), planned_(evaluations),
-      planned_level_(evaluations) {}
+    : out_(out), terminal_(terminal), share_(std::move(share)), planned_(std::move(planned)),
+      planned_level_(planned_) {}
 
 Progress::~Progress() { clear_line(); }
 
-void Progress::begin_level(int level, int levels_left, int runs, int runs_done, std::int64_t evaluations) {
+double Progress::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+void Progress::begin_level(int level, int levels_left, int runs, int runs_done, Workload planned_level,
+                           Workload planned) {
     const std::lock_guard lock(mutex_);
     level_ = level, levels_left_ = levels_left;
     runs_ = runs, runs_done_ = runs_done;
-    planned_level_ = evaluations;
-    done_level_ = 0;
-    shared_ = Clock::now();
-    share_(standing(shared_));
+    planned_level_ = std::move(planned_level);
+    planned_ = std::move(planned);
+    shared_ = seconds();
+    share_(standing());
 }
 
 void Progress::reach() {
@@ -53,46 +88,44 @@ void Progress::reach() {
     ++runs_done_;
 }
 
-void Progress::open(int runs) {
-    const std::lock_guard lock(mutex_);
-    open_ += runs;
+Progress::Open::Open(Progress &progress, std::string run) : progress_(progress), run_(std::move(run)) {
+    const std::lock_guard lock(progress_.mutex_);
+    ++progress_.open_;
+    progress_.left_.open(run_, progress_.seconds());
 }
 
-void Progress::skip(std::int64_t evaluations) {
-    const std::lock_guard lock(mutex_);
-    planned_ -= evaluations;
-    planned_level_ -= evaluations;
+Progress::Open::~Open() {
+    const std::lock_guard lock(progress_.mutex_);
+    --progress_.open_;
+    progress_.left_.close(run_, progress_.seconds());
 }
 
-// The time left assumes that the remaining evaluations take as long as those before.
-Standing Progress::standing(Clock::time_point now) const {
-    Standing standing{.level = level_,
-                      .levels_left = levels_left_,
-                      .runs = runs_,
-                      .runs_done = runs_done_,
-                      .evaluations = done_};
-    const double seconds = seconds_from(start_, now);
-    if (seconds <= 0 || done_ == 0) return standing;
-    standing.rate = static_cast<double>(done_) / seconds;
-    standing.seconds_left_level = static_cast<double>(planned_level_ - done_level_) / standing.rate;
-    standing.seconds_left = static_cast<double>(planned_ - done_) / standing.rate;
-    return standing;
+Standing Progress::standing() const {
+    return {.level = level_,
+            .levels_left = levels_left_,
+            .runs = runs_,
+            .runs_done = runs_done_,
+            .evaluations = done_,
+            .rate = left_.rate(),
+            .seconds_left_level = left_.seconds(planned_level_),
+            .seconds_left = left_.seconds(planned_)};
 }
 
-void Progress::generation(const std::string &run, int number, int generations, double best, int evaluations) {
+void Progress::generation(const GenerationReport &report) {
     const std::lock_guard lock(mutex_);
-    done_ += evaluations;
-    done_level_ += evaluations;
-    const Clock::time_point now = Clock::now();
-    if (seconds_from(shared_, now) >= seconds_between_shares) {
+    const double now = seconds();
+    done_ += report.evaluations;
+    subtract(planned_, report.setting, report.evaluations);
+    subtract(planned_level_, report.setting, report.evaluations);
+    left_.done(report.run, report.setting, report.evaluations, now);
+    if (now - shared_ >= seconds_between_shares) {
         shared_ = now;
-        share_(standing(now));
+        share_(standing());
     }
-    if (seconds_from(shown_, now) < (terminal_ ? seconds_between_rewrites : seconds_between_lines)) return;
+    if (now - shown_ < (terminal_ ? seconds_between_rewrites : seconds_between_lines)) return;
     shown_ = now;
     const std::string others = open_ > 1 ? " (" + to_text(open_) + " runs at once)" : "";
-    const std::string text = run + ": generation " + to_text(number + 1) + " of " + to_text(generations) +
-                             ", best " + to_fixed(best, 2) + others + whole_text(standing(now));
+    const std::string text = text_of(report) + others + whole_text(standing());
     if (terminal_)
         out_ << "\r\x1b[K" << text << std::flush;
     else

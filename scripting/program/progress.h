@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The progress of a command, for the user: on a terminal one line that is rewritten, else a line about every ten
 // seconds. Several runs, each on its own thread, may report to it. It shows how many runs have reached the present
-// level, a number of generations, and how long this level and all levels will take at the present rate. It reads the
+// level, a number of generations, and how long this level and all levels will take (program/time_left.h). It reads the
 // clock, and no result depends on it.
 #pragma once
+
+#include "experiment/run.h"
+#include "program/time_left.h"
 
 #include <chrono>
 #include <cstdint>
@@ -20,62 +23,80 @@ struct Standing {
     int levels_left = 0;           // levels after it
     int runs = 0, runs_done = 0;   // of the present level, and those that have reached it
     std::int64_t evaluations = 0;  // by this command
-    double rate = 0;               // evaluations per second; 0: not known yet
-    double seconds_left_level = 0; // at this rate
+    double rate = 0;               // evaluations per second lately; 0: not known yet
+    double seconds_left_level = 0; // 0 if the rate is
     double seconds_left = 0;       // of all levels
 };
 
+/// A generation of a run that has been evaluated.
+struct GenerationReport {
+    std::string setting, run;        // the second as the line calls it, alone among the open ones
+    int number = 0, generations = 0; // from 0, and those of the run
+    double best = 0;                 // fitness so far
+    std::string unit;                // of fitness; may be empty
+    double viable = 0;               // share of the generation
+    int evaluations = 0;
+};
+
+/// The unit of a setting's fitness: that of the paper's function is a distance, what another one measures is not known.
+std::string fitness_unit(const Spec &setting);
+
+/// `best`: the run's fitness so far, in this generation at the latest.
+GenerationReport report_of(const Spec &setting, const std::string &run, const Generation &generation,
+                           double best);
+
 class Progress {
   public:
-    /// `evaluations`: how many the command has to do in all. `share(standing)` is called every few seconds.
+    /// `planned`: the evaluations that the command has to do in all. `share(standing)` is called every few seconds.
     Progress(
-        std::ostream &out, bool terminal, std::int64_t evaluations,
+        std::ostream &out, bool terminal, Workload planned,
         std::function<void(const Standing &)> share = [](const Standing &) {});
     ~Progress();
     Progress(const Progress &) = delete;
     Progress &operator=(const Progress &) = delete;
 
-    /// Begins a level: how many runs it has, how many of them have reached it already, and the evaluations left to do.
-    void begin_level(int level, int levels_left, int runs, int runs_done, std::int64_t evaluations);
+    /// Begins a level: how many runs it has, how many of them have reached it already, and the evaluations that are left
+    /// to do in it and in all levels from it on.
+    void begin_level(int level, int levels_left, int runs, int runs_done, Workload planned_level,
+                     Workload planned);
     /// A run has reached the level.
     void reach();
 
     /// A run that is being computed, as long as this exists.
     class Open {
       public:
-        explicit Open(Progress &progress) : progress_(progress) { progress_.open(1); }
-        ~Open() { progress_.open(-1); }
+        Open(Progress &progress, std::string run);
+        ~Open();
         Open(const Open &) = delete;
         Open &operator=(const Open &) = delete;
 
       private:
         Progress &progress_;
+        const std::string run_;
     };
 
-    /// Takes evaluations from the planned ones, or adds them if below 0.
-    void skip(std::int64_t evaluations);
-    /// Reports a generation: its number, from 0, the number of generations of the run, its best fitness so far, and the
-    /// evaluations of the generation.
-    void generation(const std::string &run, int number, int generations, double best, int evaluations);
+    void generation(const GenerationReport &report);
     /// Prints a line that stays on the screen.
     void tell(const std::string &line);
 
   private:
     using Clock = std::chrono::steady_clock;
-    void open(int runs);
     void clear_line();
-    Standing standing(Clock::time_point now) const;
+    double seconds() const; // since the command began
+    Standing standing() const;
 
     std::ostream &out_;
     const bool terminal_;
     const std::function<void(const Standing &)> share_;
-    std::mutex mutex_; // of all below and of out_
-    std::int64_t planned_, planned_level_;
-    std::int64_t done_ = 0, done_level_ = 0;
+    std::mutex mutex_;                 // of all below and of out_
+    Workload planned_, planned_level_; // what is left of them
+    std::int64_t done_ = 0;
     int level_ = 0, levels_left_ = 0, runs_ = 1, runs_done_ = 0;
-    int open_ = 0;         // runs
+    int open_ = 0; // runs
+    TimeLeft left_;
     bool on_line_ = false; // the rewritten line is on the screen
-    Clock::time_point start_ = Clock::now(), shown_ = start_, shared_ = start_;
+    const Clock::time_point start_ = Clock::now();
+    double shown_ = 0, shared_ = 0; // when that was done last
 };
 
 /// "3 h 20 min", "4 min 5 s", "12 s".

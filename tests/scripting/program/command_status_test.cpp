@@ -194,3 +194,43 @@ BOOST_AUTO_TEST_CASE(processes_of_other_machines_are_reported_for_ten_minutes) {
     BOOST_TEST(place.run_says({"--seeds", "1"}).code == 0);
     BOOST_TEST(read_progress(place.runs()).size() == 2u);
 }
+
+BOOST_AUTO_TEST_CASE(the_page_shows_every_run_and_refers_to_nothing_outside) {
+    const Workplace place;
+    BOOST_REQUIRE(place.run_says({"--seeds", "1:2"}).code == 0);
+    const fs::path page = place.path / "page.html";
+    const Said said = planula_says({"status", place.runs(), "--page", page, "--every", "5"});
+    BOOST_TEST(said.code == 0);
+    BOOST_TEST(said.out == page.string() + "\n");
+    const std::string text = content(page);
+    for (const char *part : {"No process is working on them", "small seed-001</td><td>complete</td>",
+                             "small seed-002</td><td>complete</td>", "2 of 2", "<polyline points=\"0.0 "})
+        BOOST_TEST(contains(text, part), text);
+    BOOST_TEST(!contains(text, "http-equiv")); // it has ended: nothing to load again
+    BOOST_TEST(!contains(text, "://"));
+    BOOST_TEST(planula_says({"status", place.runs(), "--every", "5"}).code == 2);
+}
+
+BOOST_AUTO_TEST_CASE(the_page_shows_what_a_longer_run_has_written_so_far) {
+    const Workplace place;
+    BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "4"}).code == 0);
+    const std::string all = content(place.run(1) / "generations.csv");
+    BOOST_REQUIRE(place.run_says({"--seeds", "2"}).code == 0); // two generations
+    test::write(place.run(2) / "generations.csv.part", all);
+    const fs::path folder = fs::path(place.runs()) / "progress", page = place.path / "page.html";
+    fs::create_directories(folder);
+    const ProgressRow row{.written = static_cast<std::int64_t>(std::time(nullptr)),
+                          .level = 50,
+                          .levels_left = 1,
+                          .runs = 160,
+                          .runs_done = 37,
+                          .rate = 8,
+                          .seconds_left_level = 100,
+                          .seconds_left = 200};
+    test::write(folder / "far.cluster-12.csv", header_line<ProgressRow>() + line_of(row));
+    BOOST_REQUIRE(planula_says({"status", place.runs(), "--page", page}).code == 0);
+    const std::string text = content(page);
+    BOOST_TEST(contains(text, "37 of 160 runs done, level 50"), text);
+    BOOST_TEST(contains(text, "1 min 40 s left for this level, 3 min 20 s for all"), text);
+    BOOST_TEST(contains(text, "small seed-002</td><td>complete</td><td>4</td>"), text);
+}
