@@ -172,10 +172,12 @@ build/page/report.js: $(WEB)
 
 ##@ Building and checking
 build: deps build/CMakeCache.txt ## build the program and all tests
+	@$(configure_gpu)
 	@echo 'build: compiling the program and all tests, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) > build/build.log 2>&1 || { cat build/build.log; exit 1; }
 
 program: deps build/CMakeCache.txt ## build the program alone: build/planula
+	@$(configure_gpu)
 	@echo 'program: compiling, minutes the first time …'
 	@cmake --build build --parallel $(JOBS) --target planula > build/program.log 2>&1 || { cat build/program.log; exit 1; }
 
@@ -252,6 +254,14 @@ test-wasm: program wasm ## compare lives that the module simulates, in node and 
 	@node tests/browser/module_test.mjs build/wasm/planula.js < build/wasm/cases
 	@node tests/browser/run.mjs $(PLANULA) build/pages wasm
 
+device-files: deps ## build for NVIDIA's graphics processors (needs CUDA's nvcc) and collect what tests/device/check.sh needs on a machine with one: build/device
+	@cmake -S . -B build/gpu -DPLANULA_GPU=ON > build/gpu.log 2>&1 || { cat build/gpu.log; exit 1; }
+	@cmake --build build/gpu --parallel $(JOBS) --target planula device_bench > build/gpu.log 2>&1 || { cat build/gpu.log; exit 1; }
+	@rm -rf build/device; mkdir -p build/device/lib
+	@cp build/gpu/planula build/gpu/tests/device_bench build/device
+	@ldd build/gpu/planula | awk '$$3 ~ /^\// && $$1 !~ /^lib(c|m|dl|rt|pthread)\.so/ { print $$3 }' | xargs -I{} cp -L {} build/device/lib
+	@echo "device: $$(du -sh build/device | cut -f1) in build/device; there, run tests/device/check.sh"
+
 lint: ## check layering, forbidden constructs, licences, paths, format, names in the documentation, and that the lint itself can fail
 	@passed=0 failed=0; for check in layering sources format documents rooms lint_test; do \
 	  if bash tests/lint/$$check.sh; then passed=$$((passed + 1)); else failed=$$((failed + 1)); fi; done; \
@@ -264,7 +274,7 @@ architecture: ## draw the rooms of core/CMakeLists.txt and scripting/CMakeLists.
 	@bash tests/lint/rooms.sh --draw
 
 format: ## clang-format every C++ source in place
-	@find core scripting tests -name '*.h' -o -name '*.cpp' | xargs -d '\n' clang-format -i
+	@find core scripting tests -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' | xargs -d '\n' clang-format -i
 
 clean: ## remove build/, runs included
 	@rm -rf build
@@ -280,12 +290,15 @@ deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
 .PHONY: help paper test smoke evolve data frames figures own-figures figure-files gallery picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables report \
-        build program wasm test-wasm signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
+        build program device-files wasm test-wasm signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
 build/CMakeCache.txt:
 	@mkdir -p build
 	@cmake -S . -B build > build/configure.log 2>&1 || { cat build/configure.log; rm -f $@; exit 1; }
+
+# GPU=1 builds for graphics processors, too, GPU=0 no longer; without either a build stays as it is.
+configure_gpu = $(if $(GPU),cmake -S . -B build -DPLANULA_GPU=$(if $(filter 0,$(GPU)),OFF,ON) > build/configure.log 2>&1 || { cat build/configure.log; exit 1; },true)
 
 # $(call replace_if_changed,NEW,OLD): moves every file of folder NEW to OLD whose content differs, so that what depends
 # on an unchanged table is not made again.

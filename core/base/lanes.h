@@ -6,9 +6,12 @@
 // instruction sets share no code through the linker.
 #pragma once
 
+#include "base/portable.h"
+
 #include <utility>
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__CUDACC__)
+#define PLANULA_X86_LANES
 #include <immintrin.h>
 #endif
 
@@ -24,13 +27,13 @@ template <class Number> struct VectorOf<Number, 1> { using Type = Number; };
 
 // What the compilers' vectors do not offer, or not in one instruction. Of two numbers that do not compare the second is
 // greater and less: as in std::max(second, first) and std::min.
-inline float root_of(float a) { return __builtin_sqrtf(a); }
-inline float greater_of(float a, float b) { return a > b ? a : b; }
-inline float lesser_of(float a, float b) { return a < b ? a : b; }
-inline double root_of(double a) { return __builtin_sqrt(a); }
-inline double greater_of(double a, double b) { return a > b ? a : b; }
-inline double lesser_of(double a, double b) { return a < b ? a : b; }
-#if defined(__x86_64__)
+PORTABLE inline float root_of(float a) { return __builtin_sqrtf(a); }
+PORTABLE inline float greater_of(float a, float b) { return a > b ? a : b; }
+PORTABLE inline float lesser_of(float a, float b) { return a < b ? a : b; }
+PORTABLE inline double root_of(double a) { return __builtin_sqrt(a); }
+PORTABLE inline double greater_of(double a, double b) { return a > b ? a : b; }
+PORTABLE inline double lesser_of(double a, double b) { return a < b ? a : b; }
+#if defined(PLANULA_X86_LANES)
 inline unsigned signs_of(__m128 a) { return static_cast<unsigned>(_mm_movemask_ps(a)); }
 inline unsigned signs_of(__m128d a) { return static_cast<unsigned>(_mm_movemask_pd(a)); }
 inline __m128 root_of(__m128 a) { return _mm_sqrt_ps(a); }
@@ -71,27 +74,29 @@ template <class Number_, int width_> struct LanesOf {
     using Mask = decltype(Vector{} < Vector{}); // per lane, all bits set where true; of one lane bool
 
     LanesOf() = default;
-    LanesOf(double all) : value(static_cast<Number>(all) - Vector{}) {}
-    static LanesOf of(Vector value) {
+    PORTABLE LanesOf(double all) : value(static_cast<Number>(all) - Vector{}) {}
+    PORTABLE static LanesOf of(Vector value) {
         LanesOf result;
         result.value = value;
         return result;
     }
 
-    friend LanesOf operator+(LanesOf a, LanesOf b) { return of(a.value + b.value); }
-    friend LanesOf operator-(LanesOf a, LanesOf b) { return of(a.value - b.value); }
-    friend LanesOf operator*(LanesOf a, LanesOf b) { return of(a.value * b.value); }
-    friend LanesOf operator/(LanesOf a, LanesOf b) { return of(a.value / b.value); }
-    friend LanesOf operator-(LanesOf a) { return of(-a.value); }
-    friend Mask operator<(LanesOf a, LanesOf b) { return a.value < b.value; }
-    friend Mask operator<=(LanesOf a, LanesOf b) { return a.value <= b.value; }
+    PORTABLE friend LanesOf operator+(LanesOf a, LanesOf b) { return of(a.value + b.value); }
+    PORTABLE friend LanesOf operator-(LanesOf a, LanesOf b) { return of(a.value - b.value); }
+    PORTABLE friend LanesOf operator*(LanesOf a, LanesOf b) { return of(a.value * b.value); }
+    PORTABLE friend LanesOf operator/(LanesOf a, LanesOf b) { return of(a.value / b.value); }
+    PORTABLE friend LanesOf operator-(LanesOf a) { return of(-a.value); }
+    PORTABLE friend Mask operator<(LanesOf a, LanesOf b) { return a.value < b.value; }
+    PORTABLE friend Mask operator<=(LanesOf a, LanesOf b) { return a.value <= b.value; }
 
-    friend LanesOf select(Mask mask, LanesOf yes, LanesOf no) { return of(mask ? yes.value : no.value); }
-    friend LanesOf max(LanesOf a, LanesOf b) { return of(greater_of(b.value, a.value)); }
-    friend LanesOf min(LanesOf a, LanesOf b) { return of(lesser_of(b.value, a.value)); }
-    friend LanesOf sqrt(LanesOf a) { return of(root_of(a.value)); }
-    friend LanesOf abs(LanesOf a) { return copysign(a, LanesOf(0)); }
-    friend LanesOf copysign(LanesOf size, LanesOf sign) {
+    PORTABLE friend LanesOf select(Mask mask, LanesOf yes, LanesOf no) {
+        return of(mask ? yes.value : no.value);
+    }
+    PORTABLE friend LanesOf max(LanesOf a, LanesOf b) { return of(greater_of(b.value, a.value)); }
+    PORTABLE friend LanesOf min(LanesOf a, LanesOf b) { return of(lesser_of(b.value, a.value)); }
+    PORTABLE friend LanesOf sqrt(LanesOf a) { return of(root_of(a.value)); }
+    PORTABLE friend LanesOf abs(LanesOf a) { return copysign(a, LanesOf(0)); }
+    PORTABLE friend LanesOf copysign(LanesOf size, LanesOf sign) {
         if constexpr (width == 1) {
             return of(static_cast<Number>(__builtin_copysign(size.value, sign.value)));
         } else {
@@ -100,7 +105,7 @@ template <class Number_, int width_> struct LanesOf {
         }
     }
     /// 2^k for whole numbers k, -1022 <= k <= 1023; doubles only.
-    friend LanesOf power_of_two(LanesOf k) {
+    PORTABLE friend LanesOf power_of_two(LanesOf k) {
         static_assert(sizeof(Number) == 8);
         // Added to 1.5 · 2^52, k + 1023 is in the lowest bits; the exponent is 52 higher.
         const Vector shifted = k.value + (Number(0x1.8p52) + Number(1023) - Vector{});
@@ -128,12 +133,18 @@ constexpr int baseline_doubles = 1;
 template <class T> struct Fields { T a, b, c, d; };
 
 /// `T::width` consecutive numbers.
-template <class T> T load(const typename T::Number *from) {
+template <class T> PORTABLE T load(const typename T::Number *from) {
+    if constexpr (T::width == 1) return T::of(*from);
     T result;
     __builtin_memcpy(&result, from, sizeof result);
     return result;
 }
-template <class T> void store(T value, typename T::Number *to) { __builtin_memcpy(to, &value, sizeof value); }
+template <class T> PORTABLE void store(T value, typename T::Number *to) {
+    if constexpr (T::width == 1)
+        *to = value.value;
+    else
+        __builtin_memcpy(to, &value, sizeof value);
+}
 
 /// `T::width` numbers number_at(0), number_at(1), ….
 template <class T, class NumberAt> T load_each(const NumberAt &number_at) {
@@ -143,7 +154,7 @@ template <class T, class NumberAt> T load_each(const NumberAt &number_at) {
 }
 
 /// The lanes in which a condition holds: bit i for lane i.
-template <class T> unsigned bits_of(typename T::Mask mask) {
+template <class T> PORTABLE unsigned bits_of(typename T::Mask mask) {
     if constexpr (T::width == 1)
         return mask;
     else
@@ -151,11 +162,13 @@ template <class T> unsigned bits_of(typename T::Mask mask) {
 }
 
 /// Whether a condition holds in some lane, or in every one.
-template <class T> bool any_of(typename T::Mask mask) { return bits_of<T>(mask) != 0; }
-template <class T> bool all_of(typename T::Mask mask) { return bits_of<T>(mask) == (1u << T::width) - 1; }
+template <class T> PORTABLE bool any_of(typename T::Mask mask) { return bits_of<T>(mask) != 0; }
+template <class T> PORTABLE bool all_of(typename T::Mask mask) {
+    return bits_of<T>(mask) == (1u << T::width) - 1;
+}
 
 /// The least number of all lanes.
-template <class T> typename T::Number least_of(T lanes) {
+template <class T> PORTABLE typename T::Number least_of(T lanes) {
     typename T::Number numbers[T::width];
     store(lanes, numbers);
     for (const auto number : numbers)
@@ -166,18 +179,20 @@ template <class T> typename T::Number least_of(T lanes) {
 // Vectors as blocks of four floats.
 template <class Vector> using LaneNumbers = std::make_integer_sequence<int, sizeof(Vector) / sizeof(float)>;
 
+#if !defined(__CUDACC__) // which has single lanes only
 /// In each block the i-th and j-th of `one`, then the k-th and l-th of `two`.
 template <int i, int j, int k, int l, class Vector, int... lane>
 Vector within_blocks(Vector one, Vector two, std::integer_sequence<int, lane...>) {
     constexpr int picked[] = {i, j, sizeof...(lane) + k, sizeof...(lane) + l};
     return __builtin_shufflevector(one, two, (lane / 4 * 4 + picked[lane % 4])...);
 }
+#endif
 template <int i, int j, int k, int l, class Vector> Vector within_blocks(Vector one, Vector two) {
     return within_blocks<i, j, k, l>(one, two, LaneNumbers<Vector>{});
 }
 
 /// The blocks to every fourth block from there on.
-#if defined(__x86_64__)
+#if defined(PLANULA_X86_LANES)
 inline void store_blocks(__m128 blocks, float *to) { _mm_storeu_ps(to, blocks); }
 #endif
 #if defined(__AVX__)
@@ -199,11 +214,28 @@ Fields<T> transposed(Floats r0, Floats r1, Floats r2, Floats r3) {
             T::of(within_blocks<0, 2, 0, 2>(cd01, cd23)), T::of(within_blocks<1, 3, 1, 3>(cd01, cd23))};
 }
 
+#if defined(__CUDA_ARCH__)
+// Records lie at multiples of 16 bytes there, and move as a whole.
+template <class T> __device__ Fields<T> load_record(const float *from) {
+    const float4 r = *reinterpret_cast<const float4 *>(from);
+    return {T::of(r.x), T::of(r.y), T::of(r.z), T::of(r.w)};
+}
+template <class T> __device__ void store_record(const Fields<T> &fields, float *to) {
+    *reinterpret_cast<float4 *>(to) = {fields.a.value, fields.b.value, fields.c.value, fields.d.value};
+}
+#else
+template <class T> Fields<T> load_record(const float *from) {
+    return {T::of(from[0]), T::of(from[1]), T::of(from[2]), T::of(from[3])};
+}
+template <class T> void store_record(const Fields<T> &fields, float *to) {
+    to[0] = fields.a.value, to[1] = fields.b.value, to[2] = fields.c.value, to[3] = fields.d.value;
+}
+#endif
+
 /// The four fields of `T::width` records, which are at record_at(0), record_at(1), ….
-template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &record_at) {
+template <class T, class RecordAt> PORTABLE inline Fields<T> load_fields(const RecordAt &record_at) {
     if constexpr (T::width == 1) {
-        const float *r = record_at(0);
-        return {T::of(r[0]), T::of(r[1]), T::of(r[2]), T::of(r[3])};
+        return load_record<T>(record_at(0));
     }
     if constexpr (T::width == 4) {
         const auto row = [&](int i) { return load<T>(record_at(i)).value; };
@@ -229,7 +261,7 @@ template <class T, class RecordAt> inline Fields<T> load_fields(const RecordAt &
 }
 
 /// The four fields of `T::width` consecutive records.
-template <class T> inline Fields<T> load_fields(const float *from) {
+template <class T> PORTABLE inline Fields<T> load_fields(const float *from) {
 #if defined(__AVX512DQ__)
     if constexpr (T::width == 16) {
         // Transposed in place, they are in turn in every fourth lane.
@@ -246,9 +278,9 @@ template <class T> inline Fields<T> load_fields(const float *from) {
 }
 
 /// Writes the fields of `T::width` records to consecutive records.
-template <class T> void store_fields(const Fields<T> &fields, float *to) {
+template <class T> PORTABLE void store_fields(const Fields<T> &fields, float *to) {
     if constexpr (T::width == 1) {
-        to[0] = fields.a.value, to[1] = fields.b.value, to[2] = fields.c.value, to[3] = fields.d.value;
+        store_record(fields, to);
     } else {
         const auto [r0, r1, r2, r3] =
             transposed<T>(fields.a.value, fields.b.value, fields.c.value, fields.d.value);

@@ -24,10 +24,4 @@ std::array<double, input::count> sense(Vec2d position, double morphogen, double 
     return inputs;
 }
 
-double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens) {
-    double sum = 0;
-    for (const int neighbour : neighbours) sum += morphogens[neighbour];
-    return neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.size());
-}
-
 } // namespace planula

@@ -3,6 +3,7 @@
 // morphogen outputs of its neighbours, and the time. Positions are in the development frame.
 #pragma once
 
+#include "base/portable.h"
 #include "base/vec2.h"
 #include "cell/channels.h"
 #include "parameters/parameters.h"
@@ -17,6 +18,10 @@ std::array<double, input::count> sense(Vec2d position, double morphogen, double 
                                        const NetworkParameters &parameters);
 
 /// Mean of morphogens[i] over the neighbours, in ascending order; 0 without neighbours.
-double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens);
+PORTABLE inline double mean_morphogen(std::span<const int> neighbours, std::span<const double> morphogens) {
+    double sum = 0;
+    for (const int neighbour : neighbours) sum += morphogens[neighbour];
+    return neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.size());
+}
 
 } // namespace planula

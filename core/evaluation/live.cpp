@@ -3,6 +3,7 @@
 
 #include "base/hash.h"
 #include "development/grow.h"
+#include "device/device.h"
 #include "evaluation/life_observer.h"
 #include "locomotion/trial.h"
 #include "network/network.h"
@@ -86,6 +87,17 @@ MoveWatch watch_of(const Watch &watch, const Gait &gait) {
     };
 }
 
+/// What a body does, nobody watching: on the chosen device, if there is one and it simulates such trials, or here.
+Trial unwatched_trial(const SoftBodyModel &model, const Conditions &conditions, const Parameters &moving,
+                      Gait &gait) {
+    const Environment &environment = conditions.environment;
+    if (Device *device = chosen_device(); device && conditions.engine == "native")
+        if (auto trial = device->locomote(model, environment, conditions.actuation_range, moving, gait))
+            return std::move(*trial);
+    const auto engine = make_engine(conditions.engine);
+    return locomote(model, environment, conditions.actuation_range, moving, gait, *engine);
+}
+
 /// Lets a body settle and move: what locomotion decides of its life.
 void move(const Network &network, const Growth &growth, const Conditions &conditions, const Watch &watch,
           const Loss *loss, Life &life) {
@@ -95,12 +107,18 @@ void move(const Network &network, const Growth &growth, const Conditions &condit
     disturb(conditions.nudge, model.positions);
     auto gait = make_gait(conditions.actuation, network, growth.body, growth.tissue, moving);
     if (conditions.held_from) gait = hold(std::move(gait), *conditions.held_from * conditions.refinement);
-    const auto engine = make_engine(conditions.engine);
     std::optional<LifeObserver> observer;
     if (!conditions.observed.empty()) observer.emplace(conditions.observed, moving);
-    Trial trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
-                           watch_of(watch, *gait), observer ? &*observer : nullptr,
-                           {conditions.phases, loss, conditions.refinement});
+    const MoveWatch move_watch = watch_of(watch, *gait);
+    Trial trial;
+    if (move_watch || observer || loss || !conditions.phases.empty()) {
+        const auto engine = make_engine(conditions.engine);
+        trial = locomote(model, conditions.environment, conditions.actuation_range, moving, *gait, *engine,
+                         move_watch, observer ? &*observer : nullptr,
+                         {conditions.phases, loss, conditions.refinement});
+    } else {
+        trial = unwatched_trial(model, conditions, moving, *gait);
+    }
 
     // Of locomotion that ended early neither place nor distance is known.
     life.outcome = trial.outcome;

@@ -52,8 +52,4 @@ std::unique_ptr<Gait> hold(std::unique_ptr<Gait> gait, int from) {
     return std::make_unique<HeldGait>(std::move(gait), from);
 }
 
-double ramp(int t, const GaitParameters &parameters) {
-    return std::min(1.0, static_cast<double>(t) / parameters.ramp_steps);
-}
-
 } // namespace planula

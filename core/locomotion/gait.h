@@ -7,6 +7,7 @@
 #include "body/body.h"
 #include "cell/channels.h"
 #include "cell/tissue.h"
+#include "locomotion/muscle.h"
 #include "network/network.h"
 #include "parameters/parameters.h"
 
@@ -43,13 +44,5 @@ std::unique_ptr<Gait> make_gait(Actuation actuation, const Network &network, con
 
 /// The same gait, but its signals stay as they are at the first knot at or after step `from`.
 std::unique_ptr<Gait> hold(std::unique_ptr<Gait> gait, int from);
-
-/// The share by which a cell with signal a lengthens its springs. Of two cells they add up to L = (1 + r (a1 +
-/// a2)/2) L0 (laws/spring.h). With r the largest change when both agree, this is Eq. (1) with A = r/2, which
-/// adds two sines, and Eq. (3) with A = r, which averages two outputs. `ramp` in [0, 1] scales r.
-inline double extension(double range, double ramp, double a) { return ramp * range * a / 2; }
-
-/// min(1, t / ramp_steps): the amplitude rises at the start (§2.5).
-double ramp(int t, const GaitParameters &parameters);
 
 } // namespace planula

@@ -4,7 +4,6 @@
 #include "base/keep_only.h"
 #include "cell/senses.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace planula {
@@ -30,20 +29,14 @@ void GrnMuscles::read_inputs(double time) {
 }
 
 void GrnMuscles::signals(int t, std::span<double> signal) {
-    // The last interval ends without a further update.
     const int interval = parameters_.gait.update_interval;
     if (t % interval == 0 && t < parameters_.gait.locomotion_steps) update(t);
-    const int last = std::min(t, parameters_.gait.locomotion_steps - 1) / interval * interval;
-
-    // Eq. (2): a = s_prev + (t − t_u)(s_new − s_prev) / 50.
-    const double share = static_cast<double>(t - last) / interval;
+    const int since = t - last_update(t, interval, parameters_.gait.locomotion_steps);
     for (std::size_t i = 0; i < signal.size(); ++i)
-        signal[i] = previous_[i] + share * (newest_[i] - previous_[i]);
+        signal[i] = signal_between(previous_[i], newest_[i], since, interval);
 }
 
-double GrnMuscles::activity() const {
-    return updates_ < 2 ? 0 : change_ / (2 * terms_); // Eq. (5)
-}
+double GrnMuscles::activity() const { return activity_of(change_, terms_); }
 
 void GrnMuscles::keep(std::span<const int> cells, std::span<const Link> links) {
     tissue_.keep(cells);

@@ -25,8 +25,14 @@ class GrnMuscles : public Gait {
     double activity() const override;
     bool is_sound() const override { return sound_; }
 
-  private:
+    /// Whether what the networks read beside morphogens changes on the way.
     bool inputs_change() const { return senses() || parameters_.gait.gait_time == GaitTime::rising; }
+    const Network &network() const { return network_; }
+    const Neighbours &neighbours() const { return neighbours_; }
+    /// As it is now; before the first update with the inputs of that.
+    const Tissue &tissue() const { return tissue_; }
+
+  private:
     void read_inputs(double time);
     void update(int t);
 

@@ -31,13 +31,8 @@ void Oscillators::keep(std::span<const int> cells, std::span<const Link>) { keep
 
 void Oscillators::signals(int t, std::span<double> signal) {
     for (std::size_t i = 0; i < phasors_.size(); ++i) {
-        auto &[sine, cosine, turn_sine, turn_cosine] = phasors_[i];
-        if (t > 0) {
-            const double turned = sine * turn_cosine + cosine * turn_sine;
-            cosine = cosine * turn_cosine - sine * turn_sine;
-            sine = turned;
-        }
-        signal[i] = sine;
+        if (t > 0) phasors_[i].turn();
+        signal[i] = phasors_[i].sine;
     }
 }
 

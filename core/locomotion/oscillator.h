@@ -25,11 +25,10 @@ class Oscillators : public Gait {
     void signals(int t, std::span<double> signal) override;
     void keep(std::span<const int> cells, std::span<const Link> links) override;
 
+    /// Of the cells, as they are now.
+    std::span<const Phasor> phasors() const { return phasors_; }
+
   private:
-    struct Phasor {
-        double sine, cosine;           // of the present phase
-        double turn_sine, turn_cosine; // of the angle between two knots
-    };
     std::vector<Phasor> phasors_;
 };
 

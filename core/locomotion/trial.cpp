@@ -63,7 +63,7 @@ class Muscles {
     void reach(int t, int steps, Engine &engine) {
         from_.swap(to_);
         read(t, engine);
-        const double share = ramp(t, parameters_);
+        const double share = ramp(t, parameters_.ramp_steps);
         for (std::size_t i = 0; i < to_.size(); ++i) {
             extensions_[i] = extension(range_, share, to_[i]);
             changes_[i] += std::abs(to_[i] - from_[i]);

@@ -13,36 +13,34 @@ namespace planula::neural {
 
 namespace {
 
-/// The new activations of one group's targets, from its present ones.
-template <class T> void find_next(const Task &task, const double *group) {
-    constexpr int parts = group_size / T::width;
+/// The new activations of one group's targets, from its present ones: of `cells` cells from lane `lane` on.
+template <class T, int cells = group_size>
+PORTABLE void find_next(const Task &task, const double *group, int lane = 0) {
+    constexpr int parts = cells / T::width;
     for (int target = 0; target < task.targets; ++target) {
         T sums[parts];
         for (T &sum : sums) sum = T(0);
         const Network::Source *const end = task.sources + task.first_source[target + 1];
         for (const Network::Source *link = task.sources + task.first_source[target]; link != end; ++link) {
             const T weight(link->weight);
-            const double *source = group + link->node * group_size;
+            const double *source = group + link->node * group_size + lane;
             for (int i = 0; i < parts; ++i) sums[i] = sums[i] + weight * load<T>(source + i * T::width);
         }
-        double *next = task.next + target * group_size;
+        double *next = task.next + target * group_size + lane;
         for (int i = 0; i < parts; ++i) store(math::tanh_of(sums[i]), next + i * T::width);
     }
 }
 
-/// Moves them to the targets' rows. Returns the lanes in which all are numbers: bit i for cell i of the group.
-template <class T> unsigned take_next(const Task &task, double *targets) {
-    unsigned numbers = 0;
-    for (int lane = 0; lane < group_size; lane += T::width) {
-        auto within = T(0) <= T(0);
-        for (int place = lane; place < task.targets * group_size; place += group_size) {
-            const T next = load<T>(task.next + place);
-            within = within & (abs(next) <= T(1));
-            store(next, targets + place);
-        }
-        numbers |= bits_of<T>(within) << lane;
+/// Moves those of some cells, from lane `lane` on, to the targets' rows. Returns in which all are numbers: bit i for
+/// the i-th cell.
+template <class T> PORTABLE unsigned take_next(const Task &task, double *targets, int lane) {
+    auto within = T(0) <= T(0);
+    for (int place = lane; place < task.targets * group_size; place += group_size) {
+        const T next = load<T>(task.next + place);
+        within = within & (abs(next) <= T(1));
+        store(next, targets + place);
     }
-    return numbers;
+    return bits_of<T>(within);
 }
 
 template <class T> [[gnu::flatten]] bool advance(const Task &task, double *activations) {
@@ -52,7 +50,9 @@ template <class T> [[gnu::flatten]] bool advance(const Task &task, double *activ
         unsigned numbers = 0;
         for (int step = 0; step < task.steps; ++step) {
             find_next<T>(task, group);
-            numbers = take_next<T>(task, group + task.inputs * group_size);
+            numbers = 0;
+            for (int lane = 0; lane < group_size; lane += T::width)
+                numbers |= take_next<T>(task, group + task.inputs * group_size, lane) << lane;
         }
         // Lanes beyond the last cell do not count.
         const int cells = task.cells - cell;

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "experiment/run.h"
 #include "program/commands.h"
+#include "program/device_choice.h"
 #include "program/forecast.h"
 #include "program/interrupt.h"
 #include "program/progress.h"
@@ -27,6 +28,7 @@ constexpr Option options[] = {
     population_option,
     threads_option,
     lanes_option,
+    device_option,
     set_option,
     {"only", "SETTING", "run only this setting; may be repeated", true},
     {"part", "I:N", "run every Nth of all runs, starting with the Ith: the share of one of N machines"},
@@ -82,7 +84,7 @@ std::pair<std::size_t, std::size_t> part_of(const Arguments &arguments) {
 class RunCommand {
   public:
     RunCommand(const Arguments &arguments, Console &console)
-        : console_(console), levels_(levels_of(arguments)),
+        : console_(console), device_(arguments), levels_(levels_of(arguments)),
           experiment_(experiment_to_run(arguments, console)), crew_(threads_of(arguments)),
           interval_(arguments.whole("checkpoint", 1, RunWriter::usual_interval)),
           out_(runs_folder(arguments, "out", experiment_)), runs_(runs_of(arguments, experiment_)),
@@ -230,6 +232,7 @@ class RunCommand {
     }
 
     Console &console_;
+    const DeviceChoice device_;
     std::vector<int> levels_;
     const Experiment experiment_;
     Crew crew_;

@@ -3,6 +3,7 @@
 #include "experiment/run.h"
 #include "experiment/signature.h"
 #include "program/commands.h"
+#include "program/device_choice.h"
 #include "program/interrupt.h"
 
 #include <ostream>
@@ -16,6 +17,7 @@ constexpr std::uint64_t signed_seed = 1;
 constexpr Option options[] = {
     threads_option,
     lanes_option,
+    device_option,
     {"script", "FILE.lua", "experiment to run (default: experiments/signature.lua)"},
     {"compiled", "", "run nothing; print the signature that this program was built to have"},
 };
@@ -38,6 +40,7 @@ std::string measured_signature(const Experiment &experiment, int threads) {
 int print_signature(const Arguments &arguments, Console &console) {
     if (arguments.has("compiled")) return console.out << model_revision() << '\n', 0;
     const std::string standard = (console.library / "signature.lua").string();
+    const DeviceChoice device(arguments);
     const int threads = threads_of(arguments);
     use_lanes_of(arguments);
     const Experiment experiment = load_experiment(arguments.text("script", standard), console.library, {});

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "program/commands.h"
+#include "program/device_choice.h"
 #include "program/interrupt.h"
 #include "program/progress.h"
 
@@ -24,6 +25,7 @@ constexpr Option options[] = {
     {"draw", "N", "seed that selects the stretches (default: a new one each time, which is printed)"},
     threads_option,
     lanes_option,
+    device_option,
 };
 
 /// A stretch of one of the runs.
@@ -35,9 +37,9 @@ struct Task {
 class VerifyCommand {
   public:
     VerifyCommand(const Arguments &arguments, Console &console)
-        : console_(console), folder_(arguments.operands.at(0)), share_(share_of(arguments)),
-          minutes_(arguments.whole("minutes", 1, 0)), threads_(threads_of(arguments)),
-          draw_(draw_of(arguments)) {
+        : console_(console), device_(arguments), folder_(arguments.operands.at(0)),
+          share_(share_of(arguments)), minutes_(arguments.whole("minutes", 1, 0)),
+          threads_(threads_of(arguments)), draw_(draw_of(arguments)) {
         use_lanes_of(arguments);
     }
 
@@ -143,6 +145,7 @@ class VerifyCommand {
     }
 
     Console &console_;
+    const DeviceChoice device_;
     const std::filesystem::path folder_;
     const double share_;
     const int minutes_, threads_;

@@ -5,6 +5,7 @@
 #include "base/lane_sets.h"
 #include "base/parallel.h"
 #include "base/text.h"
+#include "device/device.h"
 #include "experiment/revision.h"
 #include "tables/manifest.h"
 
@@ -178,7 +179,11 @@ RunChoice choice_of(const Arguments &arguments, const Experiment &experiment, Co
     return choice;
 }
 
-int threads_of(const Arguments &arguments) { return arguments.whole("threads", 1, hardware_threads()); }
+int threads_of(const Arguments &arguments) {
+    const Device *device = chosen_device();
+    // Of many threads most wait for the device.
+    return arguments.whole("threads", 1, std::max(hardware_threads(), device ? device->trials_at_once() : 0));
+}
 
 void use_lanes_of(const Arguments &arguments) {
     const std::string lanes = arguments.text("lanes", "");

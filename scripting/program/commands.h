@@ -49,8 +49,10 @@ inline constexpr Option population_option{"population", "N",
 inline constexpr Option set_option{
     "set", "NAME=VALUE", "set a parameter in every setting; may be repeated; planula parameters lists them",
     true};
-inline constexpr Option threads_option{
-    "threads", "N", "number of threads (default: one for each processor); no result depends on it"};
+inline constexpr Option threads_option{"threads", "N",
+                                       "number of threads (default: one for each processor, or some hundreds "
+                                       "that wait for a graphics processor); "
+                                       "no result depends on it"};
 inline constexpr Option lanes_option{
     "lanes", "scalar|sse2|avx2|avx512",
     "instructions to compute with (default: the widest that this processor has); no result depends on it"};
@@ -80,7 +82,7 @@ std::vector<int> levels_of(const Arguments &arguments);
 Experiment experiment_to_run(const Arguments &arguments, const Console &console);
 /// The runs that --runs and --seeds choose; those left out are reported to console.err.
 RunChoice choice_of(const Arguments &arguments, const Experiment &experiment, Console &console);
-/// --threads, or one for each processor.
+/// --threads, or one for each processor; with a device, as many as keep it busy.
 int threads_of(const Arguments &arguments);
 /// Uses --lanes from now on, if it is given. Throws UsageError with the nearest name.
 void use_lanes_of(const Arguments &arguments);

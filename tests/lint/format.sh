@@ -9,7 +9,7 @@ if ! clang-format --version 2> /dev/null | grep -q 'version 14\.'; then
     echo 'format: skipped, clang-format 14 is not installed'
     exit 0
 fi
-mapfile -t sources < <(find core scripting tests -type f \( -name '*.h' -o -name '*.cpp' \) | LC_ALL=C sort)
+mapfile -t sources < <(find core scripting tests -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.cu' -o -name '*.cuh' \) | LC_ALL=C sort)
 ill=0
 for file in "${sources[@]}"; do
     clang-format "$file" | cmp -s - "$file" || { echo "$file:1: not formatted; run make format"; ill=$((ill + 1)); }

@@ -14,6 +14,6 @@ for list in "${lists[@]}"; do
     [[ -f $list ]] || { echo "layering: no $list in $PWD" >&2; exit 2; }
 done
 # scripting/wasm is no room but a program of its own for browsers: it says what its C++ library lacks.
-mapfile -t sources < <(find core scripting -path scripting/wasm -prune -o -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inl' \) -print | LC_ALL=C sort)
+mapfile -t sources < <(find core scripting -path scripting/wasm -prune -o -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.inl' -o -name '*.cu' -o -name '*.cuh' \) -print | LC_ALL=C sort)
 
 LC_ALL=C awk -f tests/lint/layering.awk "${lists[@]}" "${sources[@]}"

@@ -15,7 +15,7 @@ mapfile -t files < <(files)
 sources=() texts=()
 for file in "${files[@]}"; do
     case $file in
-        *.h | *.cpp | *.inl | *.in | *.lua | *.js | *.mjs | *.css | *.html | *.gp | *.tex | *.bib | *.sh | *.awk | *.cmake | *CMakeLists.txt | Makefile | .ci/run) sources+=("$file") ;;
+        *.h | *.cpp | *.cu | *.cuh | *.inl | *.in | *.lua | *.js | *.mjs | *.css | *.html | *.gp | *.tex | *.bib | *.sh | *.awk | *.cmake | *CMakeLists.txt | Makefile | .ci/run) sources+=("$file") ;;
     esac
     case $file in
         *.png | *.pdf | *.gz | LICENSE) ;;

@@ -15,7 +15,7 @@ template <class T> struct Foot {
     T t; // 0 at a, 1 at b
 };
 
-template <class T> Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
+template <class T> PORTABLE Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
     using std::max, std::min;
     const Vec2<T> edge = b - a;
     const T along = dot(p - a, edge) / max(squared_length(edge), T(1e-12));
@@ -26,7 +26,7 @@ template <class T> Foot<T> foot_on_segment(Vec2<T> p, Vec2<T> a, Vec2<T> b) {
 /// The force on a cell at `from_foot` from the nearest point of a link: −∇U of U = stiffness/2·(radius − d)² for
 /// d = |from_foot| < radius, and 0 elsewhere and at d = 0. U is continuous everywhere, so contact gives no more
 /// energy than it took, whatever path a cell takes.
-template <class T> Vec2<T> contact_force(Vec2<T> from_foot, T stiffness, T radius) {
+template <class T> PORTABLE Vec2<T> contact_force(Vec2<T> from_foot, T stiffness, T radius) {
     const T d = length(from_foot);
     if (d == 0 || !(d < radius)) return {};
     return from_foot * (stiffness * (radius - d) / d);
@@ -37,7 +37,7 @@ template <class T> struct ContactForces { Vec2<T> on_cell, on_a, on_b; };
 
 /// Those between a cell and the link from a to b; the link takes the opposite force by the lever of the foot.
 template <class T>
-ContactForces<T> contact_forces(Vec2<T> cell, Vec2<T> a, Vec2<T> b, T stiffness, T radius) {
+PORTABLE ContactForces<T> contact_forces(Vec2<T> cell, Vec2<T> a, Vec2<T> b, T stiffness, T radius) {
     const auto foot = foot_on_segment(cell, a, b);
     const Vec2<T> force = contact_force(cell - foot.point, stiffness, radius);
     return {force, -force * (1 - foot.t), -force * foot.t};

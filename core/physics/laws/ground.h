@@ -20,15 +20,15 @@ template <class T> struct GroundPlane { Vec2<T> point, normal{0, 1}; };
 
 /// How high above the ground a node would be at the end of the step.
 template <class T>
-T height_above(const GroundPlane<T> &ground, Vec2<T> position, Vec2<T> velocity, T time_step) {
+PORTABLE T height_above(const GroundPlane<T> &ground, Vec2<T> position, Vec2<T> velocity, T time_step) {
     return dot(position - ground.point, ground.normal) + dot(velocity, ground.normal) * time_step;
 }
 
 /// The velocity after contact of a node that would be below the ground at the end of the step: the normal
 /// part just brings it to the ground, the tangential part moves towards 0 by at most friction × that impulse.
 template <class T>
-Vec2<T> ground_contact(Vec2<T> position, Vec2<T> velocity, const GroundPlane<T> &ground, T friction,
-                       T time_step) {
+PORTABLE Vec2<T> ground_contact(Vec2<T> position, Vec2<T> velocity, const GroundPlane<T> &ground, T friction,
+                                T time_step) {
     using std::abs, std::max;
     const Vec2<T> along = right_normal(ground.normal);
     const T up = dot(velocity, ground.normal);
@@ -48,7 +48,7 @@ template <class T> struct Piece {
 
 /// The number of the piece below x: it begins at x or left of it, and ends right of it. The piece `guess` is looked at
 /// first; then follows a search by halves.
-template <class T, class Line> int piece_below(const Line &line, T x, int guess) {
+template <class T, class Line> PORTABLE int piece_below(const Line &line, T x, int guess) {
     const auto &guessed = line[guess];
     if (!(x < T(guessed.from.x)) && x < T(guessed.to.x)) return guess;
     int low = 0, end = static_cast<int>(line.size());
@@ -62,10 +62,10 @@ template <class T, class Line> int piece_below(const Line &line, T x, int guess)
     return low;
 }
 
-template <class T, class Number> Vec2<T> as(Vec2<Number> v) { return {T(v.x), T(v.y)}; }
+template <class T, class Number> PORTABLE Vec2<T> as(Vec2<Number> v) { return {T(v.x), T(v.y)}; }
 
 /// A distance above all rounding in single precision of a node's place.
-template <class T> T rounding_at(Vec2<T> position) {
+template <class T> PORTABLE T rounding_at(Vec2<T> position) {
     using std::abs;
     return T(0x1p-20) * (T(1) + abs(position.x) + abs(position.y));
 }
@@ -77,7 +77,7 @@ template <class T> struct Hold {
     T slack; // an end of the way so much lower counts as above
 
     template <class Number>
-    Hold(const Piece<Number> &piece, Vec2<T> position)
+    PORTABLE Hold(const Piece<Number> &piece, Vec2<T> position)
         : plane{as<T>(piece.plane.point), as<T>(piece.plane.normal)} {
         using std::min;
         const T rounding = rounding_at(position), skin = T(8) * rounding;
@@ -85,12 +85,13 @@ template <class T> struct Hold {
         plane.point += plane.normal * min(skin, height + rounding);
         slack = T(0.5) * rounding;
     }
-    bool lets(Vec2<T> end) const { return !(dot(end - plane.point, plane.normal) < -slack); }
+    PORTABLE bool lets(Vec2<T> end) const { return !(dot(end - plane.point, plane.normal) < -slack); }
 };
 
 /// The first piece that a node meets on its straight way from `start`, which is above piece `below`, to `end`; -1 if
 /// there is none. It meets a piece whose far point lies above its way, or whose plane does not let it end there.
-template <class T, class Line> int piece_met(const Line &line, int below, Vec2<T> start, Vec2<T> end) {
+template <class T, class Line>
+PORTABLE int piece_met(const Line &line, int below, Vec2<T> start, Vec2<T> end) {
     const Vec2<T> way = end - start;
     const bool right = T(0) < way.x;
     const int last = static_cast<int>(line.size()) - 1;
@@ -106,8 +107,8 @@ template <class T, class Line> int piece_met(const Line &line, int below, Vec2<T
 /// The velocity after contact of a node, which is above piece `below`, with whatever it meets on its way in a step:
 /// with one piece after another, as in a valley, and 0 if four contacts do not let it go on.
 template <class T, class Line>
-Vec2<T> contact_on_way(const Line &line, int below, Vec2<T> position, Vec2<T> velocity, T friction,
-                       T time_step) {
+PORTABLE Vec2<T> contact_on_way(const Line &line, int below, Vec2<T> position, Vec2<T> velocity, T friction,
+                                T time_step) {
     constexpr int most_contacts = 4;
     for (int contacts = 0;; ++contacts) {
         const int met = piece_met(line, below, position, position + velocity * time_step);

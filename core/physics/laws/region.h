@@ -21,7 +21,7 @@ template <class Number> struct FluidRegion {
 
 /// The fluid at a place: that of the first region that holds it, or else `open`.
 template <class T, class Number>
-Fluid<T> fluid_at(Vec2<T> place, Fluid<T> open, const FluidRegion<Number> *regions, int count) {
+PORTABLE Fluid<T> fluid_at(Vec2<T> place, Fluid<T> open, const FluidRegion<Number> *regions, int count) {
     Fluid<T> found = open;
     for (const FluidRegion<Number> *region = regions + count; region-- != regions;) {
         const auto inside = (T(region->low.x) <= place.x) & (place.x < T(region->high.x)) &
@@ -39,7 +39,7 @@ Fluid<T> fluid_at(Vec2<T> place, Fluid<T> open, const FluidRegion<Number> *regio
 template <class Number> struct Layer { Number low, high, share; };
 
 /// The share of gravity that acts at a height: that of the first layer that holds it, or else 1.
-template <class T, class Number> T gravity_share(T height, const Layer<Number> *layers, int count) {
+template <class T, class Number> PORTABLE T gravity_share(T height, const Layer<Number> *layers, int count) {
     T share(1);
     for (const Layer<Number> *layer = layers + count; layer-- != layers;)
         share = select((T(layer->low) <= height) & (height < T(layer->high)), T(layer->share), share);

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "physics/native/contact.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace planula::native {
 
-namespace {
-
-constexpr float skin =
-    0.8f; // how much farther than the law reaches pairs are listed; any gives the same forces
-constexpr float margin = 1e-3f; // far above what rounding does to distances, and to motion in a step
-
-} // namespace
-
 void Contact::load(const Layout &layout, const Kernel &kernel) {
     layout_ = &layout, kernel_ = &kernel;
     stiffness_ = static_cast<float>(layout.model.body.contact_stiffness);
     reach_ = static_cast<float>(layout.model.body.contact_radius);
-    clearance_ = 0, listed_at_.clear(), touches_.clear();
+    watch_ = {}, listed_at_.clear(), touches_.clear();
     cells_.clear();
     for (const int cell : layout.model.contact_cells) cells_.push_back(place_of(cell));
     const std::size_t links = layout.outline.size() * group_size;
@@ -28,11 +19,7 @@ void Contact::load(const Layout &layout, const Kernel &kernel) {
 }
 
 std::span<const Touch> Contact::touches(const Record *now, float moved) {
-    // Without cells, or while no pair can have come into reach.
-    if (cells_.empty()) return {};
-    const float against = 2 * moved + margin;
-    clearance_ -= against, moved_ += against;
-    if (clearance_ > 0) return {};
+    if (cells_.empty() || watch_.sees_none(moved)) return {};
     if (list_is_stale(now)) make_list(now);
     measure(now);
     return touches_;
@@ -52,19 +39,19 @@ void Contact::find_unmasked() {
 
 bool Contact::list_is_stale(const Record *now) {
     if (listed_at_.empty()) return true;
-    if (moved_ < skin) return false;
+    if (watch_.keeps_list()) return false;
     const Record *outline = now + layout_->outline_group() * group_size;
     const auto count = static_cast<int>(listed_at_.size());
-    moved_ = std::sqrt(kernel_->squared_motion(listed_at_.data(), outline, count));
-    return !(moved_ < skin);
+    watch_.moved = std::sqrt(kernel_->squared_motion(listed_at_.data(), outline, count));
+    return !watch_.keeps_list();
 }
 
 void Contact::make_list(const Record *now) {
     listed_at_.assign(now + layout_->outline_group() * group_size, now + layout_->groups * group_size);
-    moved_ = 0;
+    watch_.moved = 0;
     const int groups = static_cast<int>(layout_->outline.size());
-    kernel_->circle_links(layout_->outline.data(), groups, now, reach_ + skin + margin, circle_x_.data(),
-                          circle_y_.data(), circle_squared_radius_.data());
+    kernel_->circle_links(layout_->outline.data(), groups, now, watch_.listed_within(reach_),
+                          circle_x_.data(), circle_y_.data(), circle_squared_radius_.data());
     const Circles circles{circle_x_.data(), circle_y_.data(), circle_squared_radius_.data(), groups};
     kernel_->find_circles(circles, now, cells_.data(), static_cast<int>(cells_.size()), inside_.data());
 
@@ -106,8 +93,7 @@ void Contact::measure(const Record *now) {
                 if (pair >= listed_) break;
                 touches_.push_back(touch(now, pairs_[group], lane));
             }
-    // Pairs that are not listed were farther apart than reach and skin.
-    clearance_ = std::min(std::sqrt(least) - reach_, skin - moved_) - margin;
+    watch_.measured(std::sqrt(least), reach_);
 }
 
 } // namespace planula::native

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "physics/laws/contact.h"
+#include "physics/native/contact_watch.h"
 #include "physics/native/kernel.h"
 
 #include <span>
@@ -39,8 +40,7 @@ class Contact {
     const Layout *layout_ = nullptr;
     const Kernel *kernel_ = nullptr;
     float stiffness_ = 0, reach_ = 0; // of the law
-    float clearance_ = 0; // how far nodes may move against each other until the first pair could touch,
-    float moved_ = 0;     // and how far they have at most since the list was made,
+    ContactWatch watch_;
     std::vector<Record> listed_at_; // when the groups that hold outline were here
     std::vector<float> circle_x_, circle_y_, circle_squared_radius_; // per outline link
     std::vector<Place> cells_;                                       // that may touch

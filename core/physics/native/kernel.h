@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/lane_sets.h"
+#include "physics/environment.h"
 #include "physics/laws/ground.h"
 #include "physics/laws/region.h"
 #include "physics/laws/wall.h"
@@ -26,21 +27,24 @@ inline constexpr int walls = -1;
 
 /// One step of all nodes: their state, what acts on them, and the numbers of the laws.
 struct StepTask {
-    const GroupPair *pairs;
-    int groups; // one or two of each pair
-    const Slot *slots;
-    const float *push_x, *push_y;   // per node: forces other than of springs and pressure
-    float knot_steps;               // since the last knot, this one included
-    float stiffness, damping;       // of springs
-    float time_step, slowing, fall; // v ← (v + F·time_step)·slowing, v_y ← v_y − fall
-    const Gravity *gravity;         // instead of `fall`, if it is not null
-    const Piece<float> *ground;     // left to right
-    int pieces;                     // 0: no ground, 1: level; walls: walls in its place
-    int *below;                     // per node, the piece below it when last looked for
-    float friction;
-    float squared_limit; // of speed
+    const GroupPair *pairs = nullptr;
+    int groups = 0; // one or two of each pair
+    const Slot *slots = nullptr;
+    const float *push_x = nullptr, *push_y = nullptr; // per node: forces other than of springs and pressure
+    float knot_steps = 0;                             // since the last knot, this one included
+    float stiffness = 0, damping = 0;                 // of springs
+    float time_step = 0, slowing = 1, fall = 0; // v ← (v + F·time_step)·slowing, v_y ← v_y − fall
+    const Gravity *gravity = nullptr;           // instead of `fall`, if it is not null
+    const Piece<float> *ground = nullptr;       // left to right
+    int pieces = 0;                             // 0: no ground, 1: level; walls: walls in its place
+    int *below = nullptr;                       // per node, the piece below it when last looked for
+    float friction = 0;
+    float squared_limit = 0; // of speed
     WallsView<float> wall_grid;
 };
+
+/// The numbers of the laws in one step; no arrays, and gravity straight down.
+StepTask step_task(const SoftBodyModel &model, const Environment &environment);
 
 struct StepResult {
     float squared_speed = 0; // of the fastest node
@@ -49,14 +53,17 @@ struct StepResult {
 
 /// The drag of the fluid on the outline.
 struct DragTask {
-    const OutlineGroup *outline;
-    int group_count;
-    const LinkGroup *links_at; // of groups of nodes, `links_per_node` each
-    int node_groups, links_per_node;
-    float normal, tangential, flow_x, flow_y;
+    const OutlineGroup *outline = nullptr;
+    int group_count = 0;
+    const LinkGroup *links_at = nullptr; // of groups of nodes, `links_per_node` each
+    int node_groups = 0, links_per_node = 0;
+    float normal = 0, tangential = 0, flow_x = 0, flow_y = 0;
     const FluidRegion<float> *regions = nullptr;
     int region_count = 0;
 };
+
+/// The numbers of the fluid outside of all regions; no arrays.
+DragTask drag_task(const Environment &environment);
 
 /// A force in an array of records.
 struct Force {

@@ -21,31 +21,31 @@ namespace {
 /// Positions and velocities of as many nodes.
 template <class T> struct Nodes { Vec2<T> position, velocity; };
 
-template <class T> Nodes<T> load_nodes(const Record *records, const Place *places) {
+template <class T> PORTABLE Nodes<T> load_nodes(const Record *records, const Place *places) {
     const auto fields = load_fields<T>([&](int lane) { return &records->x + places[lane]; });
     return {{fields.a, fields.b}, {fields.c, fields.d}};
 }
 
-template <class T> Nodes<T> load_nodes(const Record *records) {
+template <class T> PORTABLE Nodes<T> load_nodes(const Record *records) {
     const auto fields = load_fields<T>(&records->x);
     return {{fields.a, fields.b}, {fields.c, fields.d}};
 }
 
-template <class T> void store_nodes(const Nodes<T> &nodes, Record *records) {
+template <class T> PORTABLE void store_nodes(const Nodes<T> &nodes, Record *records) {
     store_fields(Fields<T>{nodes.position.x, nodes.position.y, nodes.velocity.x, nodes.velocity.y},
                  &records->x);
 }
 
 /// The slots that nodes of a pair need, from lane `lane` on.
-template <class T> int slots_of(const GroupPair &pair, int lane) {
+template <class T> PORTABLE int slots_of(const GroupPair &pair, int lane) {
     if (T::width < pair_size) return pair.slots[lane / group_size];
     return pair.slots[0] < pair.slots[1] ? pair.slots[1] : pair.slots[0];
 }
 
 /// The forces of springs and pressure on some nodes of a pair, from lane `lane` on, added to `force`.
 template <class T>
-Vec2<T> add_fan(const StepTask &task, const GroupPair &pair, int lane, const Record *now,
-                const Nodes<T> &self, Vec2<T> force) {
+PORTABLE Vec2<T> add_fan(const StepTask &task, const GroupPair &pair, int lane, const Record *now,
+                         const Nodes<T> &self, Vec2<T> force) {
     const T stiffness(task.stiffness), damping(task.damping), knot_steps(task.knot_steps);
     Vec2<T> before = load_nodes<T>(now, pair.last + lane).position - self.position;
     const auto spring_in = [&](const Slot &slot) {
@@ -78,12 +78,12 @@ struct GroundLine {
     const Piece<float> *pieces;
     int count;
 
-    int size() const { return count; }
-    const Piece<float> &operator[](int i) const { return pieces[i]; }
+    PORTABLE int size() const { return count; }
+    PORTABLE const Piece<float> &operator[](int i) const { return pieces[i]; }
 };
 
 /// The velocity after contact with level ground.
-template <class T> Vec2<T> contact_with_level(const StepTask &task, Vec2<T> position, Vec2<T> v) {
+template <class T> PORTABLE Vec2<T> contact_with_level(const StepTask &task, Vec2<T> position, Vec2<T> v) {
     const T time_step(task.time_step);
     const auto &[point, normal] = task.ground->plane;
     const GroundPlane<T> ground{{point.x, point.y}, {normal.x, normal.y}};
@@ -94,7 +94,8 @@ template <class T> Vec2<T> contact_with_level(const StepTask &task, Vec2<T> posi
 }
 
 /// The velocity after contact with ground of several pieces, of nodes from `first` on: node after node.
-template <class T> Vec2<T> contact_with_line(const StepTask &task, int first, Vec2<T> position, Vec2<T> v) {
+template <class T>
+PORTABLE Vec2<T> contact_with_line(const StepTask &task, int first, Vec2<T> position, Vec2<T> v) {
     using One = Lanes<1>;
     const GroundLine line{task.ground, task.pieces};
     const One friction(task.friction), time_step(task.time_step);
@@ -126,7 +127,7 @@ template <class T> Vec2<T> contact_with_walls(const StepTask &task, Vec2<T> posi
 }
 
 /// What gravity adds to the velocity of nodes where it is tilted or water carries them.
-template <class T> Vec2<T> gravity_in_step(const Gravity &gravity, Vec2<T> position) {
+template <class T> PORTABLE Vec2<T> gravity_in_step(const Gravity &gravity, Vec2<T> position) {
     return Vec2<T>{gravity.x, gravity.y} * gravity_share(position.y, gravity.layers, gravity.layer_count);
 }
 
@@ -140,7 +141,7 @@ template <class T> struct Forced {
 /// Moves nodes by a step: semi-implicit Euler with the ground in between (decision 0008). Returns their velocity.
 /// `anywhere`: gravity may be tilted or differ from place to place, and there may be walls.
 template <class T, bool anywhere>
-Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
+PORTABLE Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
     const T time_step(task.time_step), slowing(task.slowing), fall(task.fall);
     const auto &[position, velocity] = forced.nodes;
     Vec2<T> v = (velocity + forced.force * time_step) * slowing;
@@ -152,8 +153,8 @@ Vec2<T> advance(const StepTask &task, const Forced<T> &forced, Record *next) {
         v = contact_with_level(task, position, v);
     else if (task.pieces > 1)
         v = contact_with_line(task, forced.first, position, v);
-    else if (anywhere && task.pieces == walls)
-        v = contact_with_walls(task, position, v);
+    if constexpr (anywhere)
+        if (task.pieces == walls) v = contact_with_walls(task, position, v);
     store_nodes<T>({position + v * time_step, v}, next + forced.first);
     return v;
 }
@@ -189,33 +190,61 @@ template <class T, bool anywhere>
     return {-least_of(-fastest), !all_of<T>(within)};
 }
 
+/// Half the drag of a fluid on some outline links of a group, from lane `lane` on, to their records.
+template <class T>
+PORTABLE void drag_on_links(const OutlineGroup &links, int lane, const Record *now, Fluid<T> fluid,
+                            Force *half) {
+    const Nodes<T> a = load_nodes<T>(now, links.a + lane), b = load_nodes<T>(now, links.b + lane);
+    const Vec2<T> through = (a.velocity + b.velocity) * T(0.5) - fluid.flow;
+    const Vec2<T> own = drag_force(b.position - a.position, through, fluid.normal, fluid.tangential) * T(0.5);
+    store_fields(Fields<T>{own.x, own.y, own.x, own.y}, &half->x);
+}
+
+/// The middle of some outline links.
+template <class T> Vec2<T> middles(const OutlineGroup &links, int lane, const Record *now) {
+    const Vec2<T> a = load_nodes<T>(now, links.a + lane).position;
+    const Vec2<T> b = load_nodes<T>(now, links.b + lane).position;
+    return (a + b) * T(0.5);
+}
+
+/// What the k-th link of some nodes has in `half`, from lane `lane` of their group on.
+template <class T> PORTABLE Vec2<T> drag_of_link(const LinkGroup &link, int lane, const Force *half) {
+    const auto at = load_fields<T>([&](int j) { return &half->x + link.link[lane + j]; });
+    return {at.a, at.b};
+}
+
 template <class T, bool in_regions>
 [[gnu::flatten]] void drag(const DragTask &task, const Record *now, Force *half, float *push_x,
                            float *push_y) {
     const Fluid<T> open{task.normal, task.tangential, {task.flow_x, task.flow_y}};
     for (int i = 0; i < task.group_count; ++i)
         for (int lane = 0; lane < group_size; lane += T::width) {
-            const Nodes<T> a = load_nodes<T>(now, task.outline[i].a + lane);
-            const Nodes<T> b = load_nodes<T>(now, task.outline[i].b + lane);
+            const OutlineGroup &links = task.outline[i];
             Fluid<T> fluid = open;
             if constexpr (in_regions)
-                fluid = fluid_at((a.position + b.position) * T(0.5), open, task.regions, task.region_count);
-            const Vec2<T> through = (a.velocity + b.velocity) * T(0.5) - fluid.flow;
-            const Vec2<T> own =
-                drag_force(b.position - a.position, through, fluid.normal, fluid.tangential) * T(0.5);
-            store_fields(Fields<T>{own.x, own.y, own.x, own.y}, &half[i * group_size + lane].x);
+                fluid = fluid_at(middles<T>(links, lane, now), open, task.regions, task.region_count);
+            drag_on_links(links, lane, now, fluid, half + i * group_size + lane);
         }
 
     const LinkGroup *link = task.links_at;
     for (int i = 0; i < task.node_groups; ++i, link += task.links_per_node)
         for (int lane = 0; lane < group_size; lane += T::width) {
             Vec2<T> sum{0, 0};
-            for (int k = 0; k < task.links_per_node; ++k) {
-                const auto at = load_fields<T>([&](int j) { return &half->x + link[k].link[lane + j]; });
-                sum += Vec2<T>{at.a, at.b};
-            }
+            for (int k = 0; k < task.links_per_node; ++k) sum += drag_of_link<T>(link[k], lane, half);
             store(sum.x, push_x + i * group_size + lane), store(sum.y, push_y + i * group_size + lane);
         }
+}
+
+/// Leaves the last knot for the next in a slot of some nodes, from lane `lane` on, that lengthen their springs by `own`.
+/// `per_step`: the share of the way in a step.
+template <class T>
+PORTABLE void reach_knot_in(Slot &slot, int lane, T own, const Extension *extension, T per_step) {
+    const T other = load_fields<T>([&](int j) { return extension->own + slot.neighbour[lane + j]; }).a;
+    const T from = load<T>(slot.next_pull + lane);
+    const T to = actuated_length(load<T>(slot.natural_pull + lane), own, other);
+    store(from, slot.pull + lane);
+    store((to - from) * per_step, slot.pull_change + lane);
+    store(to, slot.next_pull + lane);
 }
 
 template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *slots) {
@@ -225,15 +254,8 @@ template <class T> [[gnu::flatten]] void reach_knot(const KnotTask &task, Slot *
         const int lane = first % pair_size;
         const T own = load_fields<T>([&](int j) { return task.extension[first + j].own; }).a;
         Slot *slot = slots + pair.first_slot;
-        for (Slot *const end = slot + slots_of<T>(pair, lane); slot != end; ++slot) {
-            const T other =
-                load_fields<T>([&](int j) { return task.extension->own + slot->neighbour[lane + j]; }).a;
-            const T from = load<T>(slot->next_pull + lane);
-            const T to = actuated_length(load<T>(slot->natural_pull + lane), own, other);
-            store(from, slot->pull + lane);
-            store((to - from) * per_step, slot->pull_change + lane);
-            store(to, slot->next_pull + lane);
-        }
+        for (Slot *const end = slot + slots_of<T>(pair, lane); slot != end; ++slot)
+            reach_knot_in(*slot, lane, own, task.extension, per_step);
     }
 }
 
@@ -263,18 +285,28 @@ template <class T> [[gnu::flatten]] float squared_motion(const Record *then, con
     return range[0] * range[0] + range[1] * range[1];
 }
 
+/// The circle of all points nearer to a link than `reach`, or a little more.
+template <class T> struct Circle {
+    Vec2<T> middle;
+    T squared_radius;
+};
+template <class T>
+PORTABLE Circle<T> circle_around(const OutlineGroup &links, int lane, const Record *now, float reach) {
+    const Vec2<T> a = load_nodes<T>(now, links.a + lane).position;
+    const Vec2<T> b = load_nodes<T>(now, links.b + lane).position;
+    const T radius = T(0.5) * sqrt(squared_length(b - a)) + T(reach);
+    return {(a + b) * T(0.5), radius * radius};
+}
+
 template <class T>
 [[gnu::flatten]] void circle_links(const OutlineGroup *links, int group_count, const Record *now, float reach,
                                    float *x, float *y, float *squared_radius) {
     for (int i = 0; i < group_count; ++i)
         for (int lane = 0; lane < group_size; lane += T::width) {
-            const Vec2<T> a = load_nodes<T>(now, links[i].a + lane).position;
-            const Vec2<T> b = load_nodes<T>(now, links[i].b + lane).position;
-            const Vec2<T> middle = (a + b) * T(0.5);
-            const T radius = T(0.5) * sqrt(squared_length(b - a)) + T(reach);
+            const Circle<T> circle = circle_around<T>(links[i], lane, now, reach);
             const int place = i * group_size + lane;
-            store(middle.x, x + place), store(middle.y, y + place);
-            store(radius * radius, squared_radius + place);
+            store(circle.middle.x, x + place), store(circle.middle.y, y + place);
+            store(circle.squared_radius, squared_radius + place);
         }
 }
 
@@ -299,6 +331,14 @@ template <class T>
     }
 }
 
+/// Squared distances of pairs of a group, from lane `lane` on.
+template <class T> PORTABLE T squared_distances(const PairGroup &pairs, int lane, const Record *now) {
+    const Vec2<T> p = load_nodes<T>(now, pairs.cell + lane).position;
+    const Vec2<T> a = load_nodes<T>(now, pairs.a + lane).position;
+    const Vec2<T> b = load_nodes<T>(now, pairs.b + lane).position;
+    return squared_length(p - foot_on_segment(p, a, b).point);
+}
+
 template <class T>
 [[gnu::flatten]] float measure_pairs(const PairGroup *pairs, int group_count, const Record *now,
                                      float squared_distance, unsigned char *near) {
@@ -306,10 +346,7 @@ template <class T>
     for (int i = 0; i < group_count; ++i) {
         unsigned bits = 0;
         for (int lane = 0; lane < group_size; lane += T::width) {
-            const Vec2<T> p = load_nodes<T>(now, pairs[i].cell + lane).position;
-            const Vec2<T> a = load_nodes<T>(now, pairs[i].a + lane).position;
-            const Vec2<T> b = load_nodes<T>(now, pairs[i].b + lane).position;
-            const T squared = squared_length(p - foot_on_segment(p, a, b).point);
+            const T squared = squared_distances<T>(pairs[i], lane, now);
             bits |= bits_of<T>(squared < T(squared_distance)) << lane;
             least = min(least, squared);
         }

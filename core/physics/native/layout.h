@@ -6,6 +6,7 @@
 // from links and triangles alone: not from coordinates, so that a turned body has the same.
 #pragma once
 
+#include "base/portable.h"
 #include "physics/soft_body.h"
 
 #include <vector>
@@ -23,8 +24,8 @@ struct Record {
 
 /// Where a node's record begins in an array of them, in floats.
 using Place = unsigned;
-inline Place place_of(int node) { return static_cast<Place>(4 * node); }
-inline int node_at(Place place) { return static_cast<int>(place / 4); }
+PORTABLE inline Place place_of(int node) { return static_cast<Place>(4 * node); }
+PORTABLE inline int node_at(Place place) { return static_cast<int>(place / 4); }
 
 /// One neighbour of each node of two groups, the spring to it, and the triangle between the neighbour before and
 /// this one. Where a node has no such neighbour it is its own, with constants 0: its force is exactly 0.

@@ -33,40 +33,19 @@ void NativeEngine::load(const SoftBodyModel &model, const Environment &environme
 
 /// The numbers of the laws, and the arrays that the kernel works on.
 void NativeEngine::set_tasks(const SoftBodyModel &model) {
-    const Environment &environment = *environment_;
-    const BodyParameters &p = model.body;
-    const auto dt = static_cast<float>(model.time_step);
-    const auto limit = static_cast<float>(p.node_speed_limit / model.time_step);
-    task_ = {.pairs = body_.pairs.data(),
-             .groups = body_.groups,
-             .slots = body_.slots.data(),
-             .push_x = push_x_.data(),
-             .push_y = push_y_.data(),
-             .stiffness = static_cast<float>(p.spring_stiffness),
-             .damping = static_cast<float>(p.spring_damping),
-             .time_step = dt,
-             .fall = static_cast<float>(environment.gravity) * dt,
-             .gravity = nullptr,
-             .ground = ground_.data(),
-             .pieces = walls_.empty() ? static_cast<int>(ground_.size()) : native::walls,
-             .below = below_.data(),
-             .friction = static_cast<float>(environment.friction),
-             .squared_limit = limit * limit,
-             .wall_grid = walls_.view()};
+    task_ = native::step_task(model, *environment_);
+    task_.pairs = body_.pairs.data(), task_.groups = body_.groups, task_.slots = body_.slots.data();
+    task_.push_x = push_x_.data(), task_.push_y = push_y_.data();
+    task_.ground = ground_.data(), task_.below = below_.data();
+    task_.pieces = walls_.empty() ? static_cast<int>(ground_.size()) : native::walls;
+    task_.wall_grid = walls_.view();
     set_gravity();
-    const int drag_groups = environment.has_fluid() ? static_cast<int>(body_.outline.size()) : 0;
-    drag_ = {body_.outline.data(),
-             drag_groups,
-             body_.links_at.data(),
-             body_.outline_groups(),
-             body_.links_per_node,
-             static_cast<float>(environment.drag_normal),
-             static_cast<float>(environment.drag_tangential),
-             0,
-             0,
-             nullptr,
-             0};
-    set_flow(environment.flow_at(0));
+    drag_ = native::drag_task(*environment_);
+    drag_.outline = body_.outline.data();
+    drag_.group_count = environment_->has_fluid() ? static_cast<int>(body_.outline.size()) : 0;
+    drag_.links_at = body_.links_at.data();
+    drag_.node_groups = body_.outline_groups(), drag_.links_per_node = body_.links_per_node;
+    set_flow(environment_->flow_at(0));
 }
 
 /// Gravity that is not the same straight down everywhere.

@@ -21,10 +21,10 @@ const auto near = boost::test_tools::tolerance(1e-14);
 
 BOOST_AUTO_TEST_CASE(the_amplitude_rises_over_the_ramp) {
     const Parameters p;
-    BOOST_TEST(ramp(0, p.gait) == 0);
-    BOOST_TEST(ramp(50, p.gait) == 0.25);
-    BOOST_TEST(ramp(200, p.gait) == 1);
-    BOOST_TEST(ramp(4000, p.gait) == 1);
+    BOOST_TEST(ramp(0, p.gait.ramp_steps) == 0);
+    BOOST_TEST(ramp(50, p.gait.ramp_steps) == 0.25);
+    BOOST_TEST(ramp(200, p.gait.ramp_steps) == 1);
+    BOOST_TEST(ramp(4000, p.gait.ramp_steps) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(cells_with_equal_signals_change_a_rest_length_by_the_whole_range) {
