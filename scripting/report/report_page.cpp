@@ -24,20 +24,23 @@ const Spec &setting_called(const Experiment &experiment, const std::string &name
     return *setting;
 }
 
-std::string champion_recording(const Experiment &experiment, const ShownRun &shown) {
+constexpr std::size_t most_recorded = 12'000'000; // bytes of all recordings in a page
+constexpr int longest_interval = 100;             // steps between two frames
+
+std::string champion_recording(const Experiment &experiment, const ShownRun &shown, const Detail &detail) {
     const RecordedRun &run = *shown.run;
     const Spec &setting = setting_called(experiment, run.setting);
     const ChampionRow champion = champion_after(read_champions(run), shown.generations);
     const Caption caption{setting.title,       experiment.name, run.setting,     run.seed,
                           champion.generation, champion.slot,   champion.fitness};
     const LifeRecording recording =
-        record_life(read_champion_genome(run, shown.generations), setting, caption, gallery_detail);
+        record_life(read_champion_genome(run, shown.generations), setting, caption, detail);
     if (recording.life.displacement() != champion.displacement || recording.life.cells != champion.cells)
         throw InputError(run.folder.string() + ": the champion of generation " +
                          to_text(champion.generation) + " moved " + to_text(champion.displacement) +
                          " cells, and simulated again it moves " + to_text(recording.life.displacement()) +
                          "; planula verify names the first generation that differs");
-    return recording_json(recording);
+    return packed_for_page(recording_json(recording));
 }
 
 std::string read_part(const std::filesystem::path &file) {
@@ -67,11 +70,17 @@ ReportBundle read_bundle(const std::filesystem::path &folder) {
 std::vector<std::string> champion_recordings(const ReportSources &sources, int threads) {
     const std::vector<ShownRun> runs = shown_runs_of(sources);
     std::vector<std::string> recordings(runs.size());
-    parallel_for(static_cast<int>(runs.size()), threads, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        recordings[at] = champion_recording(sources.experiment, runs[at]);
-    });
-    return recordings;
+    for (Detail detail = gallery_detail;;) {
+        parallel_for(static_cast<int>(runs.size()), threads, [&](int i) {
+            const auto at = static_cast<std::size_t>(i);
+            recordings[at] = champion_recording(sources.experiment, runs[at], detail);
+        });
+        std::size_t size = 0;
+        for (const std::string &recording : recordings) size += recording.size();
+        if (size <= most_recorded || detail.gait_interval >= longest_interval) return recordings;
+        detail.growth_interval += detail.growth_interval / 2;
+        detail.gait_interval += detail.gait_interval / 2;
+    }
 }
 
 std::string report_page(const ReportSources &sources, const ReportBundle &bundle, std::string_view data,
@@ -80,7 +89,7 @@ std::string report_page(const ReportSources &sources, const ReportBundle &bundle
     std::string elements;
     for (std::size_t i = 0; i < recordings.size(); ++i)
         elements += "<script type=\"application/gzip\" data-run=\"" + to_text(static_cast<std::int64_t>(i)) +
-                    "\">" + packed_for_page(recordings[i]) + "</script>\n";
+                    "\">" + recordings[i] + "</script>\n";
     const std::string title = markup_text(experiment.title.empty() ? experiment.name : experiment.title);
     const std::string lead = markup_text(lead_of(sources, shown_runs_of(sources).size()));
     const std::string packed = packed_for_page(data), licences = markup_text(bundle.licences);

@@ -24,8 +24,9 @@ struct ReportBundle {
 /// one is missing.
 ReportBundle read_bundle(const std::filesystem::path &folder);
 
-/// Simulates the champion of each shown run again and records it: the texts of core/recording/recording_json.h, in the
-/// order of the runs. Throws InputError if one does not move as its run says.
+/// Simulates the champion of each shown run again and records it: the texts of core/recording/recording_json.h, packed for
+/// a page, in the order of the runs; with fewer frames where all together would be too large. Throws InputError if one
+/// does not move as its run says.
 std::vector<std::string> champion_recordings(const ReportSources &sources, int threads);
 
 /// The whole page. `data` is that of report_data(), `recordings` those of the shown runs or of the first of them.
