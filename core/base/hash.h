@@ -15,7 +15,9 @@ namespace planula {
 class Hash {
   public:
     Hash &bytes(const void *data, std::size_t size);
-    Hash &text(std::string_view value) { return number(value.size()).bytes(value.data(), value.size()); }
+    Hash &text(std::string_view value) {
+        return number(std::uint64_t{value.size()}).bytes(value.data(), value.size());
+    }
     Hash &number(std::uint64_t value);
     Hash &number(double value) { return number(std::bit_cast<std::uint64_t>(value)); }
     Hash &number(int value) { return number(static_cast<std::uint64_t>(static_cast<std::int64_t>(value))); }
