@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "browser/random_lives.h"
 #include "evaluation/conditions_text.h"
+#include "evaluation/life_digest.h"
 #include "genome/genome_text.h"
 #include "record/run_reader.h"
 #include "recording/recording.h"
