@@ -116,14 +116,14 @@ release: paper ## pack the committed sources, the data and the article with thei
 	@bash paper/release.sh $(OUT)/paper.pdf $(OUT)/release
 
 sensitivity: program ## halve and double every assumed value for evolved animats: build/data/sensitivity.csv
-	@$(PLANULA) run experiments/sensitivity.lua --out $(SENSITIVITY_RUNS)
+	@$(PLANULA) run experiments/sensitivity.lua --out $(REPLICATION_RUNS)
 	@rm -rf $(OUT)/data.new
-	@$(PLANULA) sensitivity experiments/sensitivity.lua --runs $(SENSITIVITY_RUNS) --out $(OUT)/data.new > /dev/null
+	@$(PLANULA) sensitivity experiments/sensitivity.lua --runs $(REPLICATION_RUNS) --out $(OUT)/data.new > /dev/null
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 	@echo 'sensitivity: $(OUT)/data/sensitivity.csv; the next `make paper` has its table'
 
-# The first seed of the paper's design at its own population.
-SENSITIVITY_RUNS = $(OUT)/runs/replication-300
+# The replication at the paper's population; the study of sensitivity takes its first seed.
+REPLICATION_RUNS = $(OUT)/runs/replication-300
 
 # Gene networks and oscillators, water and land, both searches; small bodies of generation 0 and evolved ones.
 specimens: ## take the specimens of `planula check` from the tracked runs: experiments/specimens.csv
@@ -157,6 +157,21 @@ readings-tables:
 	  NR == 1 || $$at["generation"] % 10 == 9 || $$at["generation"] == last { print $$at["setting"], $$at["generation"], $$at["runs"], \
 	    $$at["heredity_fitness"], $$at["near_mother"], $$at["near_best"], $$at["cyclic"] }' $(OUT)/readings/heredity.csv > $(OUT)/data.new/readings_heredity.csv
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
+
+# The claims under the standard reading and two others. The standard's runs are those of the replication, which may be longer.
+robustness: program ## evolve the replication under two other readings and judge its claims: build/data/robustness.csv, some hours
+	@rm -rf $(OUT)/robustness; for reading in $(ROBUSTNESS_READINGS); do \
+	  case $$reading in standard) set=(); runs=$(REPLICATION_RUNS) ;; *) set=(--set $$reading); runs=$(OUT)/runs/$$reading ;; esac; \
+	  $(PLANULA) run experiments/paper/replication.lua $(ROBUSTNESS_DESIGN) "$${set[@]}" --out "$$runs"; \
+	  $(PLANULA) reduce experiments/paper/replication.lua $(ROBUSTNESS_DESIGN) "$${set[@]}" --runs "$$runs" --out $(OUT)/robustness/$$reading > /dev/null; done
+	@rm -rf $(OUT)/data.new; mkdir -p $(OUT)/data.new
+	@cd $(OUT)/robustness; { sed 's/^/reading,/;q' standard/claims.csv; for reading in $(ROBUSTNESS_READINGS); do \
+	  sed "1d; s/^/$$reading,/" $$reading/claims.csv; done; } > ../data.new/robustness.csv
+	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
+	@echo 'robustness: $(OUT)/data/robustness.csv; the next `make paper` has its table'
+
+ROBUSTNESS_READINGS = standard division_angle_range=0.25 weight_power=1
+ROBUSTNESS_DESIGN = --seeds 1:20 --generations 25 --population 300
 
 report: program build/page/report.js ## make a page of the tracked runs, or of the runs in REPORT=DIR, for a browser: build/report/<experiment>/report.html
 	@page=$$($(PLANULA) report $(REPORT) $(if $(filter data/runs/replication,$(REPORT)),--script $(EXPERIMENT))); echo "report: $$page"
@@ -289,7 +304,7 @@ deps: ## install the packages to build and test
 deps-paper: ## install the packages to build and to make the paper
 	@bash tests/support/packages.sh $(BUILD_PACKAGES) $(PAPER_PACKAGES)
 
-.PHONY: help paper test smoke evolve data frames figures own-figures figure-files gallery picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables report \
+.PHONY: help paper test smoke evolve data frames figures own-figures figure-files gallery picture keep-data reproduce verify release sensitivity specimens searches readings readings-tables robustness report \
         build program device-files wasm test-wasm signature verify-signature test-pages torture test-cluster benchmarks power bench instructions lint reference architecture format clean deps deps-paper always
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
@@ -362,9 +377,9 @@ $(PAGES:%=$(FIGURES)/%/page.gp) $(FIGURES)/portrait/page.gp: $(FIGURES)/%/page.g
 	@texlua paper/figures/$(if $(findstring fig02,$*),scheme.lua,individuals.lua $*) $(FRAMES) $(DATA) $(FIGURES)/$* $(if $(findstring portrait,$*),$(PORTRAIT),$(EXAMPLE))
 
 # The article: typeset twice, for its references. TeX gets the folders of data and figures as two macros. The tables of the
-# witness, of sensitivity, of searches and of readings are left out where the data have none.
+# witness, of sensitivity, of searches, of readings and of robustness are left out where the data have none.
 PAPER_SOURCES = $(wildcard paper/*.tex paper/*.lua paper/sections/*.tex paper/decisions/*.md)
 $(OUT)/paper.pdf: $(PAPER_SOURCES) $(FIGURE_FILES) $(TABLES:%=$(DATA)/%.csv) \
-    $(WITNESS_TABLES) $(wildcard $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv tests/power/*.csv)
+    $(WITNESS_TABLES) $(wildcard $(DATA)/sensitivity.csv $(DATA)/searches.csv $(DATA)/readings.csv $(DATA)/readings_heredity.csv $(DATA)/robustness.csv tests/power/*.csv)
 	@echo 'paper: typesetting …'
 	@bash paper/typeset.sh $(OUT) $(DATA) $(FIGURES)

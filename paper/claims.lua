@@ -14,7 +14,8 @@ function claims.open(folder)
 end
 
 -- The verdict of the data that there are; open without data.
-local function reached(row) return row.verdict_reached ~= '' and row.verdict_reached or 'open' end
+function claims.reached(row) return row.verdict_reached ~= '' and row.verdict_reached or 'open' end
+local reached = claims.reached
 
 -- The rows of claims by name, S11 for all its parts; by 'all' every row. A name that the table lacks is an error.
 local function named(ids)
@@ -36,7 +37,7 @@ local function in_words(list)
 end
 
 -- The names of claims, parts in a row drawn together: S1, S6a--d and S11c.
-local function names_of(list)
+function claims.names_of(list)
   local shown, index = {}, 1
   while index <= #list do
     local first, last = list[index].id, index
@@ -103,7 +104,7 @@ function claims.verdicts(ids)
     local list = {}
     for _, row in ipairs(named(ids)) do if reached(row) == verdict then list[#list + 1] = row end end
     if #list > 0 then
-      parts[#parts + 1] = ('%s %s %s'):format(names_of(list), #list == 1 and 'is' or 'are', verdict)
+      parts[#parts + 1] = ('%s %s %s'):format(claims.names_of(list), #list == 1 and 'is' or 'are', verdict)
     end
   end
   return table.concat(parts, '; ')
@@ -180,7 +181,7 @@ end
 -- ---- The table ----
 
 -- The two sides of a claim; a common part is given once: OSC AQ, NS : NEAT.
-local function sides(row)
+function claims.sides(row)
   if row.setting_b == '' then return short(row.setting_a) end
   local shared, first = row.setting_a:match '^(.*)%-(%w+)$'
   local second = shared and row.setting_b:match('^' .. shared:gsub('%-', '%%-') .. '%-(%w+)$')
@@ -204,7 +205,7 @@ local function evidence(row)
   end
   measured[#measured + 1] = probability_of(row, 'p', '$p$', row.method)
   measured[#measured + 1] = probability_of(row, 'p_equivalence', 'equivalence: $p$', '')
-  local basis = ('%s; %s%s runs'):format(sides(row), show(row.runs_a), row.setting_b ~= '' and ' + ' .. show(row.runs_b) or '')
+  local basis = ('%s; %s%s runs'):format(claims.sides(row), show(row.runs_a), row.setting_b ~= '' and ' + ' .. show(row.runs_b) or '')
   if tonumber(row.at_generation) > 0 then basis = basis .. '; gen. ' .. claims.generation(row.id) end
   if row.note_reached ~= '' then basis = basis .. '; ' .. escape(row.note_reached) end
   return ('%s%s{\\scriptsize\\color{quiet}%s}'):format(table.concat(measured, '; '), #measured > 0 and '\\newline ' or '', basis)
@@ -212,7 +213,7 @@ end
 
 -- A verdict; with marks if the corrected p does not decide it, and if the claim was used to choose the model. An open one
 -- needs none.
-local function verdict_of(row, verdict)
+function claims.verdict_of(row, verdict)
   if verdict == 'open' then return '\\verdict{open}' end
   local decided = verdict == 'reproduced' or verdict == 'contradicted'
   local marks = (decided and not row.decided_by:match '_holm$' and '*' or '') .. (row.calibrated == '1' and '\\dagger' or '')
@@ -237,7 +238,7 @@ local function unjudged()
 end
 
 -- The headings of the table: the first claim under each.
-local headings = {
+claims.headings = {
   S1 = 'Best fitness of a generation', S6a = 'Mean best fitness over all generations', S7a = 'Lasting gaits', S8 = 'The best runs',
   S11a = 'Exploration', S12a = 'Diversity of fitness', S13a = 'Diversity of sizes',
 }
@@ -264,13 +265,13 @@ function claims.print_claims()
     lines[#lines + 1] = row_of { table.concat(cells, ' & '), table.concat(verdicts, ' & ', 1, closed and 1 or 2) }
   end
   for index, row in ipairs(rows) do
-    if headings[row.id] then
-      lines[#lines + 1] = ('%s\\multicolumn{%d}{@{}l}{\\itshape %s}\\\\*\\addlinespace[1pt]'):format(index > 1 and '\\addlinespace[5pt]' or '', width, headings[row.id])
+    if claims.headings[row.id] then
+      lines[#lines + 1] = ('%s\\multicolumn{%d}{@{}l}{\\itshape %s}\\\\*\\addlinespace[1pt]'):format(index > 1 and '\\addlinespace[5pt]' or '', width, claims.headings[row.id])
     else
       lines[#lines + 1] = '\\addlinespace[2pt]'
     end
     add({ escape(row.id), ('%s (%s)'):format(escape(row.statement), escape(row.section)), (escape(row.paper):gsub('^p = ', '$p$\\,=\\,')), evidence(row) },
-      { verdict_of(row, reached(row)), verdict_of(row, row.verdict) })
+      { claims.verdict_of(row, reached(row)), claims.verdict_of(row, row.verdict) })
   end
   lines[#lines + 1] = ('\\addlinespace[5pt]\\multicolumn{%d}{@{}l}{\\itshape Shapes}\\\\*\\addlinespace[1pt]'):format(width)
   add({ 'S14', 'The best bodies of both searches look alike (§3.1)', 'Figs. 3--5', unjudged() }, { '\\textcolor{open}{not judged}', '\\textcolor{open}{not judged}' })

@@ -21,7 +21,7 @@ function tables.open(data_folder)
     data[name] = csv.read(data_folder .. '/' .. name .. '.csv')
   end
   -- Tables that a separate command makes; the data may lack them.
-  for _, name in ipairs { 'engines', 'witness', 'sensitivity', 'searches', 'readings' } do
+  for _, name in ipairs { 'engines', 'witness', 'sensitivity', 'searches', 'readings', 'robustness' } do
     local file = data_folder .. '/' .. name .. '.csv'
     data[name] = lfs.isfile(file) and csv.read(file) or {}
   end
