@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- The claims of the original, from claims.csv: sentences that say what the data show whatever they show, and the table
--- "the original says, we find". A claim has two verdicts: of the runs and generations that there are (reached), and at
+-- of the claims. A claim has two verdicts: of the runs and generations that there are (reached), and at
 -- the size of the original, which is open until the data have it. open() is called first.
 local csv = require 'csv'
 local typeset = require 'typeset'
@@ -74,14 +74,15 @@ function claims.corrected(verdict)
   return tostring(count)
 end
 
--- How many p-values the table has; how many claims of no effect would be decided by chance, with 5 % each.
-function claims.tests()
+-- How many p-values the table has, all of them or those of one column; how many of a difference would be below 5 % by chance.
+function claims.tests(column)
   local count = 0
   for _, row in ipairs(rows) do
-    for _, column in ipairs { 'p', 'p_equivalence' } do if tonumber(row[column]) then count = count + 1 end end
+    for _, name in ipairs(column and { column } or { 'p', 'p_equivalence' }) do if tonumber(row[name]) then count = count + 1 end end
   end
   return tostring(count)
 end
+function claims.by_chance() return ('%.0f'):format(0.05 * tonumber(claims.tests 'p')) end
 
 -- Whether the data reach the size of the original for every claim.
 function claims.are_closed() return #with('open', 'original') == 0 end
@@ -243,19 +244,19 @@ claims.headings = {
   S11a = 'Exploration', S12a = 'Diversity of fitness', S13a = 'Diversity of sizes',
 }
 
-local caption = '\\caption{The original says, we find. Effects: $A_{12}$ is the probability that a run of the first side has a '
-  .. 'larger value than a run of the second (one half: no difference); intervals are bootstrap intervals, given for ten runs or more; $p$ is that of the '
-  .. 'test of a difference, with its method and its value after Holm\'s correction over all $p$ of the table; equivalence: $p$ of the tests that no difference beyond the stated bound exists. '
-  .. 'Small print: sides, runs, generation reached of the generation of the claim, and what limits the verdict. '
-  .. '%s* decided by $p$ only without the correction. '
-  .. '$\\dagger$ used to choose the reading of the original, so that the verdict is no evidence.}\\label{tab:claims}\\\\'
-local two_verdicts = 'Verdict here: of the runs and generations that this copy has, as if no more were planned. Original\'s size: the verdict with the runs and at the generation of the original; open if this copy lacks them. '
+local caption = '\\caption{The claims of the original and our results. $A_{12}$: probability that a run of the first setting has a '
+  .. 'larger value than a run of the second (one half: no difference), with a bootstrap interval if there are ten runs or more. $p$: test of a '
+  .. 'difference, with its method and with Holm\'s correction over all $p$ of the table. Equivalence: $p$ of the test that there is no effect beyond the bound of the claim. '
+  .. 'Small print: settings, runs, generation reached of the generation of the claim, and what limits the verdict. '
+  .. '%s*: decided by $p$ only without the correction. '
+  .. '$\\dagger$: used to choose the reading of the original, so that the verdict is no evidence.}\\label{tab:claims}\\\\'
+local two_verdicts = 'Verdict here: from the runs and generations of this copy, as if no more were planned. Original\'s size: with the runs and at the generation of the original; open if this copy lacks them. '
 
 -- The claims of the original with verdicts; both verdicts unless the data are complete.
 function claims.print_claims()
   local closed = claims.are_closed()
   local verdict_head = closed and 'verdict' or 'verdict here & original\'s size'
-  local head = ' & the original says & its evidence & we find & ' .. verdict_head .. ' \\\\'
+  local head = ' & claim of the original & its evidence & our results & ' .. verdict_head .. ' \\\\'
   local columns = closed and '@{}l>{\\raggedright}p{4.4cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.1cm}l@{\\hskip8pt}}'
     or '@{}l>{\\raggedright}p{3.6cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}l@{\\hskip12pt}l@{}'
   local width = closed and 5 or 6

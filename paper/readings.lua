@@ -8,7 +8,7 @@ local readings = {}
 local runs, heredity
 
 -- In the order of the tables, in groups: the name in the script; the name in the tables; what differs from the standard;
--- the same in words; the pages of the ledger; and a part of the names of its settings if it concerns only some settings.
+-- the same in words; the decisions; and a part of the names of its settings if it concerns only some settings.
 local groups = {
   { { 'standard', '\\textbf{standard}', nil, 'neither cell takes the direction of a division; an orientation turns with the tissue; division angles up to '
       .. '\\parameter{division_angle_range} half turns; weights of generation 0 up to \\parameter{start_weight}, weight mutations up to \\parameter{weight_power}', '0002, 0013' },
@@ -253,13 +253,15 @@ function readings.least_p()
   return typeset.probability(tables.least_p(count, count))
 end
 
--- An agreement as a cell: green if most pairs agree, red if most do not, bold if all or none.
+-- An agreement as a cell: Cliff's delta, the share of pairs that agree minus that of the others, with its sign; bold if it
+-- is all or none.
 local function agreement_cell(name, reading, combination)
   local value = agreement(name, reading, combination)
   if not value then return '' end
-  local text = value == 1 and '1' or value == 0 and '0' or (('%.2f'):format(value):gsub('^0', ''))
-  if value == 0 or value == 1 then text = '\\textbf{' .. text .. '}' end
-  return ('\\textcolor{%s}{%s}'):format(value > 0.5 and 'reproduced' or value < 0.5 and 'contradicted' or 'inconclusive', text)
+  if value == 0.5 then return '0' end
+  local delta = ('%.2f'):format(math.abs(2 * value - 1)):gsub('^0', ''):gsub('^1.00$', '1')
+  local text = (value > 0.5 and '+' or '-') .. delta
+  return (value == 0 or value == 1) and ('$\\mathbf{%s}$'):format(text) or ('$%s$'):format(text)
 end
 
 -- ---- Tables ----
@@ -320,7 +322,7 @@ function readings.print_list()
         name and ('\\texttt{%s}: \\texttt{%s}'):format(typeset.escape(name), value) or reading[3] or '', reading[4], tables.origin(reading[5]) }
     end
   end
-  print_tabular('l>{\\raggedright}p{4.1cm}>{\\raggedright}p{7.2cm}l', { 'reading & differs in & in words & page \\\\' }, lines)
+  print_tabular('@{}l>{\\raggedright}p{3.9cm}>{\\raggedright}p{6.9cm}l@{}', { 'reading & differs in & in words & decision \\\\' }, lines)
 end
 
 -- Rule 2 of the choice.
@@ -370,7 +372,7 @@ function readings.print_conclusions()
     end
     return list
   end
-  print_tabular('l' .. ('@{\\hskip12pt}rrrr'):rep(4), { ' & ' .. row_of(first), table.concat(rules), ' & ' .. row_of(second),
+  print_tabular('@{}l' .. ('@{\\hskip10pt}rrrr'):rep(4) .. '@{}', { ' & ' .. row_of(first), table.concat(rules), ' & ' .. row_of(second),
     'reading' .. (' & AQ & TE'):rep(8) .. ' \\\\' }, lines_of(cells))
 end
 

@@ -30,8 +30,12 @@ function tables.open(data_folder)
 end
 
 function tables.manifest(key) return typeset.in_words(assert(data.manifest[key], 'manifest.csv has no ' .. key)) end
--- A share of the manifest in per cent: 11.1.
+-- A share of the manifest in per cent: 11.1. What the original draws in Figure 8, beside what is drawn here.
 function tables.manifest_percent(key) return (percent_of(data.manifest[key]):gsub('%.0$', '')) end
+function tables.share_drawn()
+  local same = tonumber(data.manifest.endpoint_share) <= 0.01
+  return same and 'shows as many' or 'shows 1\\,\\% of them, which would be too few points of such short runs,'
+end
 function tables.version() return escape(data.manifest.version) end
 
 -- The value of a parameter in the replication, by its name in the table of parameters.
@@ -78,7 +82,7 @@ end
 
 -- ---- Rules ----
 
--- The pages of the ledger of assumptions, in order.
+-- The decisions, one page each, in order.
 local function decisions()
   local names = {}
   for name in lfs.dir(decisions_folder) do
@@ -88,7 +92,7 @@ local function decisions()
   return names
 end
 
--- The origin of a rule, as rules.tex states it; four digits are a page of the ledger, which must exist.
+-- The origin of a rule, as rules.tex states it; four digits are a decision, whose page must exist.
 function tables.origin(text)
   local pages = table.concat(decisions(), '\n')
   return (text:gsub('%f[%d]%d%d%d%d%f[%D]', function(page)
@@ -131,8 +135,9 @@ function tables.is_complete() return data.manifest.complete == '1' end
 -- What that means for the claims, if the data do not cover the design.
 function tables.caution()
   if tables.is_complete() then return '' end
-  local text = 'The figures show the beginning of evolution. Every claim has two verdicts: one of the runs and generations that '
-    .. 'there are, and one at the size of the original, which is open until the data have it.'
+  local text = data.manifest.generations == data.manifest.generations_planned and '' or 'The figures show the first generations of evolution. '
+  text = text .. 'Every claim has two verdicts: one from these runs and generations, and one at the size of the original, '
+    .. 'which is open as long as the data are smaller.'
   local runs = tonumber(data.manifest.seeds)
   local least = tables.least_p(runs, runs)
   if least < 0.05 then return text end
@@ -222,6 +227,12 @@ end
 function tables.coverage(interval, values, runs)
   local rows = csv.where(simulated.coverage, { interval = interval, values = values, runs = tostring(runs) })
   return ('%.0f'):format(100 * tonumber(assert(rows[1], 'coverage.csv has no such row').covered))
+end
+
+-- How often, in per cent, a test reproduces a claim under this truth.
+function tables.power(test, truth)
+  local rows = csv.where(simulated.power, { test = test, truth = truth })
+  return ('%.0f'):format(100 * tonumber(assert(rows[1], 'power.csv has no such row').reproduced))
 end
 
 function tables.power_repetitions() return show(simulated.power[1].repetitions) end
@@ -469,7 +480,7 @@ function tables.print_parameters()
   tex.print(lines)
 end
 
--- The ledger of assumptions: number, title and decision of every page.
+-- Number, title and text of every decision.
 function tables.print_decisions()
   local lines = { '\\begin{description}\\setlength\\itemsep{2pt}\\setlength\\parsep{0pt}' }
   for _, name in ipairs(decisions()) do

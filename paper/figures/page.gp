@@ -53,6 +53,6 @@ eval 'plot '.pictures."part('labels') using 'x':'y':(styled('letter')) with labe
      .", part('labels') using 'x':'y':(styled('title')) with labels left textcolor rgb ink" \
      .", part('labels') using 'x':'y':(styled('left')) with labels left font ',7' textcolor rgb ink" \
      .", part('labels') using 'x':'y':(styled('right')) with labels right font ',7' textcolor rgb ink" \
-     .", part('labels') using 'x':'y':(styled('quiet')) with labels left font ',6.5' textcolor rgb 0x888888" \
-     .", part('labels') using 'x':'y':(styled('note')) with labels center font ',6.5' textcolor rgb 0x888888" \
-     .", part('labels') using 'x':'y':(styled('missing')) with labels left font ',8' textcolor rgb 0x888888"
+     .", part('labels') using 'x':'y':(styled('quiet')) with labels left font ',7' textcolor rgb 0x666666" \
+     .", part('labels') using 'x':'y':(styled('note')) with labels center font ',7' textcolor rgb 0x666666" \
+     .", part('labels') using 'x':'y':(styled('missing')) with labels left font ',8' textcolor rgb 0x666666"

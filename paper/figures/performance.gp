@@ -39,10 +39,10 @@ do for [n = 1:words(panels)] {
         at = int(word(marks, 2 * i))
         if (at - 1 <= last) {
             set arrow from at - 1, graph 0 to at - 1, graph 1 nohead linewidth 0.8 dashtype 3 linecolor rgb 0x777777 back
-            set label id at at - 1, graph 0.045 right offset -0.4,0 font ',6.5' textcolor rgb 0x777777
+            set label id at at - 1, graph 0.045 right offset -0.4,0 font ',7' textcolor rgb 0x666666
         } else { beyond = beyond.(beyond eq '' ? '' : ', ').sprintf('%s (generation %d)', id, at) }
     }
-    set label (beyond eq '' ? '' : 'beyond these runs: '.beyond) at graph 1,1.03 right font ',6.5' textcolor rgb 0x777777
+    set label (beyond eq '' ? '' : 'beyond these runs: '.beyond) at graph 1,1.03 right font ',7' textcolor rgb 0x666666
     set label missing at graph 0.5,0.5 center textcolor rgb 0x777777
     set label panel_title(words(panels) > 1 ? letter(n) : '', panel_name(p)) at graph 0,1.1 left textcolor rgb ink
     set ylabel (n % columns == 1 || columns == 1 ? fitness_label : '') offset 0.8,0 textcolor rgb ink
