@@ -84,8 +84,8 @@ function claims.tests(column)
 end
 function claims.by_chance() return ('%.0f'):format(0.05 * tonumber(claims.tests 'p')) end
 
--- Whether the data reach the size of the original for every claim.
-function claims.are_closed() return #with('open', 'original') == 0 end
+-- Whether verdicts at the size of the original need a column: some are open, but not all.
+local function has_both() return #with('open', 'original') > 0 and #with('open', 'original') < #rows end
 
 -- ---- Sentences ----
 
@@ -252,18 +252,20 @@ local caption = '\\caption{The claims of the original and our results. $A_{12}$:
   .. '$\\dagger$: used to choose the reading of the original, so that the verdict is no evidence.}\\label{tab:claims}\\\\'
 local two_verdicts = 'Verdict here: from the runs and generations of this copy, as if no more were planned. Original\'s size: with the runs and at the generation of the original; open if this copy lacks them. '
 
--- The claims of the original with verdicts; both verdicts unless the data are complete.
+local all_open = 'Verdict: from the runs and generations of this copy, as if no more were planned; at the size of the original all claims are open. '
+
+-- The claims of the original with verdicts; both verdicts if those at the size of the original differ from each other.
 function claims.print_claims()
-  local closed = claims.are_closed()
-  local verdict_head = closed and 'verdict' or 'verdict here & original\'s size'
+  local both = has_both()
+  local verdict_head = both and 'verdict here & original\'s size' or 'verdict'
   local head = ' & claim of the original & its evidence & our results & ' .. verdict_head .. ' \\\\'
-  local columns = closed and '@{}l>{\\raggedright}p{4.4cm}>{\\raggedright}p{1.8cm}>{\\raggedright}p{6.1cm}l@{\\hskip8pt}}'
-    or '@{}l>{\\raggedright}p{3.6cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}l@{\\hskip12pt}l@{}'
-  local width = closed and 5 or 6
-  local lines = { '\\begin{longtable}{' .. columns .. '}', caption:format(closed and '' or two_verdicts), '\\toprule', head, '\\midrule\\endfirsthead',
+  local columns = both and '@{}l>{\\raggedright}p{3.6cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}l@{\\hskip12pt}l@{}'
+    or '@{}l>{\\raggedright}p{4.0cm}>{\\raggedright}p{1.5cm}>{\\raggedright}p{6.8cm}l@{\\hskip8pt}}'
+  local width = both and 6 or 5
+  local lines = { '\\begin{longtable}{' .. columns .. '}', caption:format(both and two_verdicts or #with('open', 'original') > 0 and all_open or ''), '\\toprule', head, '\\midrule\\endfirsthead',
     '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
   local function add(cells, verdicts)
-    lines[#lines + 1] = row_of { table.concat(cells, ' & '), table.concat(verdicts, ' & ', 1, closed and 1 or 2) }
+    lines[#lines + 1] = row_of { table.concat(cells, ' & '), table.concat(verdicts, ' & ', 1, both and 2 or 1) }
   end
   for index, row in ipairs(rows) do
     if claims.headings[row.id] then

@@ -124,7 +124,10 @@ function tables.size_of_data()
       :format(show(planned.seeds), show(planned.settings), show(planned.generations), show(planned.population),
               typeset.in_words(planned.evaluations))
   end
-  local function of(key) return ('%s of %s'):format(show(planned[key]), show(planned[key .. '_planned'])) end
+  local function of(key)
+    local there, all = show(planned[key]), show(planned[key .. '_planned'])
+    return there == all and 'all ' .. there or there .. ' of ' .. all
+  end
   return ('This copy is based on a part of the planned design: %s seeds, %s generations, %s individuals in each of %s settings; %s of %s evaluations.')
     :format(of 'seeds', of 'generations', of 'population', show(planned.settings), show(planned.evaluations),
             typeset.in_words(planned.evaluations_planned))

@@ -20,7 +20,7 @@ set ylabel axis offset 0.8,0 textcolor rgb ink
 unset key
 load 'paper/figures/key.gp'
 
-# Places along x, those of a panel in the order of its settings.
+# Places along x, those of a panel in the order of its settings; rings of neighbouring seeds stand a little apart.
 apart = min(0.32, 0.8 / most)
 place(p, i) = p - 1 + apart * (i - (words(members[p]) + 1) / 2.0)
 array middle[|setting|]
@@ -42,7 +42,7 @@ do for [p = 1:|panel|] { do for [i = 1:words(members[p])] {
 source = means eq '' ? 'runs' : means
 mean(k, value) = means eq '' ? NaN : of(setting[k], value)
 plot for [p = 1:|panel|] for [i = 1:words(members[p])] k = member(p, i) table('runs') \
-         using (place(p, i) + 0.28 * apart):(of(setting[k], column(measure))) \
+         using (place(p, i) + (0.34 + 0.05 * (int(column('seed')) % 5 - 2)) * apart):(of(setting[k], column(measure))) \
          with points pointtype 6 pointsize 0.35 linewidth 0.7 linecolor rgb tint(k), \
      for [p = 1:|panel|] for [i = 1:words(members[p])] k = member(p, i) table(source) \
          using (place(p, i)):(mean(k, column('mean'))):(mean(k, column('low'))):(mean(k, column('high'))) \
