@@ -251,7 +251,6 @@ local caption = '\\caption{The claims of the original and our results. $A_{12}$:
   .. '%s*: decided by $p$ only without the correction. '
   .. '$\\dagger$: used to choose the reading of the original, so that the verdict is no evidence.}\\label{tab:claims}\\\\'
 local two_verdicts = 'Verdict here: from the runs and generations of this copy, as if no more were planned. Original\'s size: with the runs and at the generation of the original; open if this copy lacks them. '
-
 local all_open = 'Verdict: from the runs and generations of this copy, as if no more were planned; at the size of the original all claims are open. '
 
 -- The claims of the original with verdicts; both verdicts if those at the size of the original differ from each other.
@@ -260,10 +259,10 @@ function claims.print_claims()
   local verdict_head = both and 'verdict here & original\'s size' or 'verdict'
   local head = ' & claim of the original & its evidence & our results & ' .. verdict_head .. ' \\\\'
   local columns = both and '@{}l>{\\raggedright}p{3.6cm}>{\\raggedright}p{1.6cm}>{\\raggedright}p{5.2cm}l@{\\hskip12pt}l@{}'
-    or '@{}l>{\\raggedright}p{4.0cm}>{\\raggedright}p{1.5cm}>{\\raggedright}p{6.8cm}l@{\\hskip8pt}}'
+    or '@{}l>{\\raggedright}p{4.0cm}>{\\raggedright}p{1.5cm}>{\\raggedright}p{6.8cm}l@{\\hskip8pt}'
   local width = both and 6 or 5
-  local lines = { '\\begin{longtable}{' .. columns .. '}', caption:format(both and two_verdicts or #with('open', 'original') > 0 and all_open or ''), '\\toprule', head, '\\midrule\\endfirsthead',
-    '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
+  local note = both and two_verdicts or #with('open', 'original') > 0 and all_open or ''
+  local lines = { '\\begin{longtable}{' .. columns .. '}', caption:format(note), '\\toprule', head, '\\midrule\\endfirsthead', '\\toprule', head, '\\midrule\\endhead', '\\bottomrule\\endfoot' }
   local function add(cells, verdicts)
     lines[#lines + 1] = row_of { table.concat(cells, ' & '), table.concat(verdicts, ' & ', 1, both and 2 or 1) }
   end
