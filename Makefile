@@ -269,12 +269,13 @@ test-wasm: program wasm ## compare lives that the module simulates, in node and 
 	@node tests/browser/module_test.mjs build/wasm/planula.js < build/wasm/cases
 	@node tests/browser/run.mjs $(PLANULA) build/pages wasm
 
-device-files: deps ## build for NVIDIA's graphics processors (needs CUDA's nvcc) and collect what tests/device/check.sh needs on a machine with one: build/device
-	@cmake -S . -B build/gpu -DPLANULA_GPU=ON > build/gpu.log 2>&1 || { cat build/gpu.log; exit 1; }
-	@cmake --build build/gpu --parallel $(JOBS) --target planula device_bench > build/gpu.log 2>&1 || { cat build/gpu.log; exit 1; }
-	@rm -rf build/device; mkdir -p build/device/lib
-	@cp build/gpu/planula build/gpu/tests/device_bench build/device
-	@ldd build/gpu/planula | awk '$$3 ~ /^\// && $$1 !~ /^lib(c|m|dl|rt|pthread)\.so/ { print $$3 }' | xargs -I{} cp -L {} build/device/lib
+device-files: ## build for NVIDIA's graphics processors, as program GPU=1 does, and collect what tests/device/check.sh needs on a machine with one: build/device
+	@$(MAKE) program GPU=1
+	@cmake --build build --parallel $(JOBS) --target device_bench > build/device.log 2>&1 || { cat build/device.log; exit 1; }
+	@rm -rf build/device; mkdir -p build/device/lib/compiler
+	@cp build/planula build/tests/device_bench build/device
+	@ldd $(PLANULA) | awk '$$3 ~ /^\// && $$1 !~ /^lib(c|m|dl|rt|pthread)\.so/ { print $$3 }' | xargs -I{} cp -L {} build/device/lib
+	@mv build/device/lib/libstdc++.* build/device/lib/libgcc_s.* build/device/lib/compiler
 	@echo "device: $$(du -sh build/device | cut -f1) in build/device; there, run tests/device/check.sh"
 
 lint: ## check layering, forbidden constructs, licences, paths, format, names in the documentation, and that the lint itself can fail

@@ -56,6 +56,6 @@ void choose_device(Device *device);
 
 /// The graphics processor of this machine. Throws InputError, with what to do, if this build knows none or there is
 /// none.
-std::unique_ptr<Device> open_gpu();
+std::unique_ptr<device::Runner> open_gpu();
 
 } // namespace planula

@@ -7,7 +7,7 @@
 
 namespace planula {
 
-std::unique_ptr<Device> open_gpu() {
+std::unique_ptr<device::Runner> open_gpu() {
     throw InputError("this planula is built without support for graphics processors; where NVIDIA's CUDA is "
                      "installed, `make program GPU=1` builds it with that");
 }

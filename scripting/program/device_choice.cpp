@@ -10,7 +10,7 @@ DeviceChoice::DeviceChoice(const Arguments &arguments) {
     if (word == "cpu") return;
     if (word != "gpu") throw UsageError("--device takes cpu or gpu, not '" + word + "'");
     try {
-        device_ = open_gpu();
+        device_ = std::make_unique<Device>(open_gpu());
     } catch (const InputError &error) {
         throw UsageError(std::string("--device gpu: ") + error.what());
     }

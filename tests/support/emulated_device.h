@@ -69,7 +69,7 @@ class EmulatedBlock {
     std::int64_t phases_ = 0;
 };
 
-/// Memory as a device has it: aligned, and full of anything.
+/// Memory as a device has it: aligned, and full of anything: of what is no number.
 class DeviceMemory {
   public:
     explicit DeviceMemory(unsigned bytes) : lines_(bytes / device::alignment + 1) {}
@@ -78,7 +78,7 @@ class DeviceMemory {
   private:
     struct alignas(device::alignment) Line {
         std::byte bytes[device::alignment];
-        Line() { std::fill(std::begin(bytes), std::end(bytes), std::byte{0xa5}); }
+        Line() { std::fill(std::begin(bytes), std::end(bytes), std::byte{0xff}); }
     };
     std::vector<Line> lines_;
 };

@@ -84,8 +84,10 @@ class Batch {
         run_trials<<<static_cast<unsigned>(jobs.size()), threads, fast, stream_>>>(
             reinterpret_cast<const Place *>(inputs), inputs, scratch, made);
         require(cudaGetLastError(), "begin");
-        require(cudaMemcpyAsync(results, made, size.result, cudaMemcpyDeviceToHost, stream_), "give results");
+        // Copies of all batches wait in line: one that is asked for before its kernel has ended holds up the others.
         require(cudaStreamSynchronize(stream_), "end");
+        require(cudaMemcpyAsync(results, made, size.result, cudaMemcpyDeviceToHost, stream_), "give results");
+        require(cudaStreamSynchronize(stream_), "give results");
         for (std::size_t i = 0; i < jobs.size(); ++i)
             std::copy_n(results + places[i].result, jobs[i]->result.size(), jobs[i]->result.begin());
     }
@@ -134,16 +136,25 @@ class CudaRunner final : public Runner {
 
 namespace planula {
 
-std::unique_ptr<Device> open_gpu() {
-    int count = 0;
+namespace {
+
+/// As CUDA's functions state versions: 13020 is 13.2.
+std::string version(int number) { return to_text(number / 1000) + '.' + to_text(number % 1000 / 10); }
+
+} // namespace
+
+std::unique_ptr<device::Runner> open_gpu() {
+    int count = 0, newest = 0; // CUDA that the driver knows; 0 without a driver
+    cudaDriverGetVersion(&newest);
     const cudaError_t code = cudaGetDeviceCount(&count);
     if (code != cudaSuccess || count == 0)
-        throw InputError(
-            std::string("no graphics processor was found (") +
-            (code == cudaSuccess ? "there is none" : cudaGetErrorString(code)) +
-            "): --device gpu needs one of NVIDIA's and its driver; without it all runs on processors, "
-            "with equal results");
-    return std::make_unique<Device>(std::make_unique<device::CudaRunner>());
+        throw InputError("no graphics processor can be used (" +
+                         (code == cudaSuccess ? "there is none" : std::string(cudaGetErrorString(code))) +
+                         "): --device gpu needs one of NVIDIA's, with a driver for CUDA " +
+                         version(CUDART_VERSION) + " or newer; " +
+                         (newest == 0 ? "there is no driver" : "the driver is for CUDA " + version(newest)) +
+                         ". Without it all runs on processors, with equal results");
+    return std::make_unique<device::CudaRunner>();
 }
 
 } // namespace planula
