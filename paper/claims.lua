@@ -182,7 +182,7 @@ end
 -- ---- The table ----
 
 -- The two sides of a claim; a common part is given once: OSC AQ, NS : NEAT.
-function claims.sides(row)
+local function sides(row)
   if row.setting_b == '' then return short(row.setting_a) end
   local shared, first = row.setting_a:match '^(.*)%-(%w+)$'
   local second = shared and row.setting_b:match('^' .. shared:gsub('%-', '%%-') .. '%-(%w+)$')
@@ -206,7 +206,7 @@ local function evidence(row)
   end
   measured[#measured + 1] = probability_of(row, 'p', '$p$', row.method)
   measured[#measured + 1] = probability_of(row, 'p_equivalence', 'equivalence: $p$', '')
-  local basis = ('%s; %s%s runs'):format(claims.sides(row), show(row.runs_a), row.setting_b ~= '' and ' + ' .. show(row.runs_b) or '')
+  local basis = ('%s; %s%s runs'):format(sides(row), show(row.runs_a), row.setting_b ~= '' and ' + ' .. show(row.runs_b) or '')
   if tonumber(row.at_generation) > 0 then basis = basis .. '; gen. ' .. claims.generation(row.id) end
   if row.note_reached ~= '' then basis = basis .. '; ' .. escape(row.note_reached) end
   return ('%s%s{\\scriptsize\\color{quiet}%s}'):format(table.concat(measured, '; '), #measured > 0 and '\\newline ' or '', basis)

@@ -98,9 +98,17 @@ end
 
 -- ---- The table ----
 
--- The effect of a claim under a reading and its verdict.
+-- The effect of a claim under a reading, with two decimals unless it is a count, and its verdict.
 local function cells_of(row)
-  return { row.effect ~= '' and typeset.interval(row, 'effect') or '--', claims.verdict_of(row, claims.reached(row)) }
+  local function short(text) return tonumber(text) % 1 == 0 and typeset.show(text) or ('%.2f'):format(text) end
+  local effect = row.effect == '' and '--' or short(row.effect)
+  if row.effect ~= '' and row.low ~= '' then effect = ('%s [%s, %s]'):format(effect, short(row.low), short(row.high)) end
+  return { effect, claims.verdict_of(row, claims.reached(row)) }
+end
+
+-- The setting of a claim, or what its two settings have in common.
+local function place_of(row)
+  return typeset.short(row.setting_b == '' and row.setting_a or row.setting_a:match '^(.*)%-%w+$' or row.setting_a)
 end
 
 -- Every claim under every reading.
@@ -108,7 +116,7 @@ function robustness.print_claims()
   local first, rules = { '' }, {}
   for index, reading in ipairs(readings) do
     first[index + 1] = ('\\multicolumn{2}{c}{%s}'):format(titles[reading] or typeset.escape(reading))
-    rules[index] = ('\\cmidrule(l{14pt}){%d-%d}'):format(2 * index + 1, 2 * index + 2)
+    rules[index] = ('\\cmidrule(l{10pt}){%d-%d}'):format(2 * index + 1, 2 * index + 2)
   end
   local lines = {}
   for place, row in ipairs(of_reading[readings[1]]) do
@@ -116,14 +124,14 @@ function robustness.print_claims()
       lines[#lines + 1] = ('%s\\multicolumn{%d}{@{}l}{\\itshape %s}\\\\'):format(place > 1 and '\\addlinespace[3pt]' or '',
         2 + 2 * #readings, claims.headings[row.id])
     end
-    local cells = { typeset.escape(row.id), claims.sides(row) }
+    local cells = { typeset.escape(row.id), place_of(row) }
     for _, reading in ipairs(readings) do
       for _, cell in ipairs(cells_of(of_reading[reading][place])) do cells[#cells + 1] = cell end
     end
     lines[#lines + 1] = typeset.row_of(cells)
   end
-  typeset.print_tabular('@{}ll' .. ('@{\\hskip14pt}ll'):rep(#readings) .. '@{\\hskip6pt}',
-    { ' & ' .. typeset.row_of(first), table.concat(rules), 'claim & sides' .. (' & effect & verdict'):rep(#readings) .. ' \\\\' }, lines)
+  typeset.print_tabular('@{}ll' .. ('@{\\hskip10pt}ll'):rep(#readings) .. '@{\\hskip6pt}',
+    { ' & ' .. typeset.row_of(first), table.concat(rules), 'claim & setting' .. (' & effect & verdict'):rep(#readings) .. ' \\\\' }, lines)
 end
 
 return robustness
