@@ -34,7 +34,7 @@ function tables.manifest(key) return typeset.in_words(assert(data.manifest[key],
 function tables.manifest_percent(key) return (percent_of(data.manifest[key]):gsub('%.0$', '')) end
 function tables.share_drawn()
   local same = tonumber(data.manifest.endpoint_share) <= 0.01
-  return same and 'shows as many' or 'shows 1\\,\\% of them, which would be too few points of such short runs,'
+  return same and 'shows as many' or 'shows 1\\,\\% (too few points of such short runs)'
 end
 function tables.version() return escape(data.manifest.version) end
 
