@@ -173,8 +173,9 @@ robustness: program ## evolve the replication under two other readings and judge
 ROBUSTNESS_READINGS = standard division_angle_range=0.25 weight_power=1
 ROBUSTNESS_DESIGN = --seeds 1:20 --generations 25 --population 300
 
-report: program build/page/report.js ## make a page of the tracked runs, or of the runs in REPORT=DIR, for a browser: build/report/<experiment>/report.html
-	@page=$$($(PLANULA) report $(REPORT) $(if $(filter data/runs/replication,$(REPORT)),--script $(EXPERIMENT))); echo "report: $$page"
+with_module = $(filter-out 0,$(WASM))
+report: program build/page/report.js $(if $(with_module),wasm) ## make a page of the tracked runs, or of the runs in REPORT=DIR, for a browser: build/report/<experiment>/report.html; WASM=1: one that simulates champions again, too
+	@page=$$($(PLANULA) report $(REPORT) $(if $(with_module),--module build/wasm/planula.js) $(if $(filter data/runs/replication,$(REPORT)),--script $(EXPERIMENT))); echo "report: $$page"
 REPORT ?= data/runs/replication
 
 # The scripts of reports with the packages that they use, where planula report finds them.
@@ -262,12 +263,12 @@ wasm: ## build the module with which pages simulate lives again in a browser: bu
 
 # What is simulated again in node: champions of all tracked runs, specimens in all variants, and this many random genomes.
 WASM_CASES ?= 4000
-test-wasm: program wasm ## compare lives that the module simulates, in node and in headless Chromium, with those of the program, to the bit
+test-wasm: program wasm build/page/report.js ## compare lives that the module simulates, in node and in headless Chromium, with those of the program, to the bit
 	@bash tests/support/packages.sh chromium chromium-driver $$(command -v node > /dev/null || echo nodejs)
 	@cmake --build build --parallel $(JOBS) --target module_cases > build/module_cases.log 2>&1 || { cat build/module_cases.log; exit 1; }
 	@build/tests/module_cases experiments data/runs/replication $(WASM_CASES) > build/wasm/cases
 	@node tests/browser/module_test.mjs build/wasm/planula.js < build/wasm/cases
-	@node tests/browser/run.mjs $(PLANULA) build/pages wasm
+	@node tests/browser/run.mjs $(PLANULA) build/pages wasm wasm_report
 
 device-files: ## build for NVIDIA's graphics processors, as program GPU=1 does, and collect what tests/device/check.sh needs on a machine with one: build/device
 	@$(MAKE) program GPU=1

@@ -58,6 +58,22 @@ void look_at(Vec2d centre, const Environment &world, View &view) {
     view.centre = centre + Vec2d{0, world.has_ground ? 0.16 * view.height / view.scale : 0};
 }
 
+constexpr double farthest = 4; // how much smaller a film may show a body, so that a loose object is seen
+
+/// Looks at a body and at the loose object: from farther away, and between the two. Where the object is too far for that,
+/// as far towards it as shows the body.
+void look_at_both(const GaitFrame &frame, const LifeRecording &recording, double reach, View &view) {
+    const Vec2d body = view.centre;
+    double left = body.x - reach, right = body.x + reach;
+    for (std::size_t i = cells_of(frame, recording); i < frame.nodes.size(); ++i) {
+        left = std::min(left, frame.nodes[i].x - 1);
+        right = std::max(right, frame.nodes[i].x + 1);
+    }
+    view.scale = std::clamp(view.width / (right - left), view.scale / farthest, view.scale);
+    const double room = std::max(0.0, view.width / 2 / view.scale - reach);
+    view.centre.x = std::clamp((left + right) / 2, body.x - room, body.x + room);
+}
+
 std::vector<Vec2d> path_of(const LifeRecording &recording, std::size_t frames) {
     std::vector<Vec2d> path;
     for (std::size_t i = 0; i < frames; ++i) path.push_back(centre_of(recording.gait[i], recording));
@@ -204,7 +220,9 @@ std::string film_picture(const LifeRecording &recording, const FilmFrame &frame,
         const GaitFrame &shown = recording.gait[frame.frame];
         const Environment &world = world_at(shown.step, recording);
         const Vec2d centre = centre_of(shown, recording);
-        look_at(centre, world, view);
+        view.centre = centre;
+        look_at_both(shown, recording, reach, view);
+        look_at(view.centre, world, view);
         content = draw_world(&world, view) + draw_path(path_of(recording, frame.frame + 1), view) +
                   draw_body(moment_of(shown, recording), radius, view);
         words = "gait, " + step_text(shown.step) + ", " +

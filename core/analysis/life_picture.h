@@ -24,7 +24,7 @@ struct FilmFrame {
 /// two time units of the model.
 inline constexpr int film_interval = 10, film_rate = 20;
 std::vector<FilmFrame> film_frames(const LifeRecording &recording);
-/// One of them, with the body in the middle.
+/// One of them, with the body in the middle, or with the body and a loose object.
 std::string film_picture(const LifeRecording &recording, const FilmFrame &frame, std::string_view title);
 
 } // namespace planula

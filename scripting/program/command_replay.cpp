@@ -90,13 +90,16 @@ void check_outputs(const Arguments &arguments) {
         if (arguments.has(form)) require_tool("ffmpeg", "ffmpeg", "--" + std::string(form));
 }
 
+/// GIF compresses little: every second frame, smaller, in few colours, of each frame the part that differs.
+constexpr const char *gif_filter =
+    "fps=10,scale=640:-1:flags=area,split[a][b];[a]palettegen=max_colors=64[p];"
+    "[b][p]paletteuse=dither=none:diff_mode=rectangle";
+
 void write_films(const Arguments &arguments, const LifeRecording &recording, const std::string &title) {
     if (!arguments.has("gif") && !arguments.has("mp4")) return;
     const Workshop workshop;
     draw_film(recording, title, workshop);
-    if (arguments.has("gif"))
-        join_film({"-vf", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=none"}, "film.gif",
-                  arguments.text("gif"), workshop);
+    if (arguments.has("gif")) join_film({"-vf", gif_filter}, "film.gif", arguments.text("gif"), workshop);
     if (arguments.has("mp4"))
         join_film({"-pix_fmt", "yuv420p", "-movflags", "+faststart"}, "film.mp4", arguments.text("mp4"),
                   workshop);

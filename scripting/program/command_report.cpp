@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis.h"
 #include "base/error.h"
+#include "page/page.h"
 #include "program/commands.h"
 #include "report/report_page.h"
 #include "statement/recorded.h"
@@ -20,6 +21,9 @@ constexpr Option options[] = {
      "show the runs as they were after N generations (default: as many as all runs of a setting have)"},
     chosen_seeds_option,
     threads_option,
+    {"module", "FILE",
+     "let the page simulate its champions again, by the module that `make wasm` builds: "
+     "build/wasm/planula.js"},
 };
 
 /// The experiment as its script states it, or the first run keeps it.
@@ -50,6 +54,7 @@ Experiment reported_experiment(const Arguments &arguments, const ReportRuns &run
 
 int make_report(const Arguments &arguments, Console &console) {
     const ReportBundle bundle = read_bundle(console.bundle);
+    const std::string module = arguments.has("module") ? packed_module(arguments.text("module")) : "";
     ReportRuns runs = report_runs(arguments.operands.at(0));
     const Experiment experiment = reported_experiment(arguments, runs, console);
     if (arguments.has("seeds")) runs.choice.seeds = seeds_of(arguments, experiment);
@@ -64,7 +69,7 @@ int make_report(const Arguments &arguments, Console &console) {
     const ReportSources sources{experiment, runs, out, console.library, told};
     const std::filesystem::path page = out / "report.html";
     write_file(page, report_page(sources, bundle, report_data(sources),
-                                 champion_recordings(sources, threads_of(arguments))));
+                                 champion_recordings(sources, threads_of(arguments)), module));
     console.out << page.string() << '\n';
     return 0;
 }
@@ -82,7 +87,8 @@ searches side by side, where individuals ended, species, archive, sizes, heredit
 parameters and departures from the paper, and the champion of every run, which grows and moves. A champion that does
 not move as recorded is an error.
 
-The scripts of the page are bundled once by `make report`.)",
+The scripts of the page are bundled once by `make report`. With --module, which `make report WASM=1` gives, the page also
+simulates a champion again where the reader asks for it, and shows whether the life is that of the record.)",
         options,
         make_report};
     return command;

@@ -9,7 +9,9 @@
 #include "program/status_page.h"
 #include "storage/output.h"
 
+#include <algorithm>
 #include <ctime>
+#include <map>
 #include <ostream>
 
 #include <unistd.h>
@@ -39,19 +41,38 @@ std::string text_of(const RunStatus &run) {
     return text + ", " + size_text(run.bytes);
 }
 
+std::string with_generations(int least, int most, const char *what) {
+    return " with " + to_text(least) + (most > least ? " to " + to_text(most) : "") + " generations " + what;
+}
+
+/// How many runs are how far; each is counted in one line.
+void print_counts(const Overview &all, std::ostream &out) {
+    std::map<int, int> complete;
+    int least = 0, most = 0;
+    for (const RunStatus &run : all.runs) {
+        if (run.kept > run.complete) {
+            least = least == 0 ? run.kept : std::min(least, run.kept);
+            most = std::max(most, run.kept);
+        } else if (run.trouble.empty())
+            ++complete[run.complete];
+    }
+    for (const auto &[generations, runs] : complete)
+        out << "  " << runs
+            << (generations > 0 ? with_generations(generations, generations, "complete")
+                                : std::string(" without a saved generation"))
+            << '\n';
+    if (all.unfinished > 0)
+        out << "  " << all.unfinished << " unfinished," << with_generations(least, most, "saved") << '\n';
+    if (all.unreadable > 0) out << "  " << all.unreadable << " that cannot be read\n";
+}
+
 void print_text(const Overview &all, bool each, std::ostream &out) {
     for (const RunStatus &run : all.runs)
         if (each || !run.trouble.empty()) out << run.folder.string() << ": " << text_of(run) << '\n';
     if (all.runs.empty()) out << "no run (<setting>/seed-NNN) in this folder\n";
     out << all.runs.size() << " runs, " << size_text(all.bytes) << ", " << all.evaluations
         << " evaluations\n";
-    for (const auto &[generations, runs] : all.complete)
-        out << "  " << runs
-            << (generations > 0 ? " with " + to_text(generations) + " generations complete"
-                                : std::string(" without complete generations"))
-            << '\n';
-    out << "  " << all.unfinished << " unfinished\n";
-    if (all.unreadable > 0) out << "  " << all.unreadable << " that cannot be read\n";
+    print_counts(all, out);
     if (all.processes.empty()) {
         out << "no process is working on them\n";
         return;

@@ -27,6 +27,9 @@ const Spec &setting_called(const Experiment &experiment, const std::string &name
 constexpr std::size_t most_recorded = 12'000'000; // bytes of all recordings in a page
 constexpr int longest_interval = 100;             // steps between two frames
 
+// What a page with a module may do besides: start a worker from its text, and compile it there from a text in that.
+constexpr std::string_view module_policy = " 'wasm-unsafe-eval'; worker-src blob:; connect-src data:";
+
 std::string champion_recording(const Experiment &experiment, const ShownRun &shown, const Detail &detail) {
     const RecordedRun &run = *shown.run;
     const Spec &setting = setting_called(experiment, run.setting);
@@ -84,9 +87,13 @@ std::vector<std::string> champion_recordings(const ReportSources &sources, int t
 }
 
 std::string report_page(const ReportSources &sources, const ReportBundle &bundle, std::string_view data,
-                        const std::vector<std::string> &recordings) {
+                        const std::vector<std::string> &recordings, std::string_view module) {
     const Experiment &experiment = sources.experiment;
     std::string elements;
+    if (!module.empty())
+        elements.append("<script id=\"module\" type=\"application/gzip\">")
+            .append(module)
+            .append("</script>\n");
     for (std::size_t i = 0; i < recordings.size(); ++i)
         elements += "<script type=\"application/gzip\" data-run=\"" + to_text(static_cast<std::int64_t>(i)) +
                     "\">" + recordings[i] + "</script>\n";
@@ -97,6 +104,7 @@ std::string report_page(const ReportSources &sources, const ReportBundle &bundle
                                            {"lead", lead},
                                            {"version", version()},
                                            {"data", packed},
+                                           {"module_policy", module.empty() ? "" : module_policy},
                                            {"recordings", elements},
                                            {"licences", licences},
                                            {"viewer_style", viewer_style()},

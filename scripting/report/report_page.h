@@ -29,8 +29,9 @@ ReportBundle read_bundle(const std::filesystem::path &folder);
 /// does not move as its run says.
 std::vector<std::string> champion_recordings(const ReportSources &sources, int threads);
 
-/// The whole page. `data` is that of report_data(), `recordings` those of the shown runs or of the first of them.
+/// The whole page. `data` is that of report_data(), `recordings` those of the shown runs or of the first of them. With a
+/// packed module (page/page.h), which may be empty, the page simulates its champions again.
 std::string report_page(const ReportSources &sources, const ReportBundle &bundle, std::string_view data,
-                        const std::vector<std::string> &recordings);
+                        const std::vector<std::string> &recordings, std::string_view module);
 
 } // namespace planula

@@ -13,6 +13,14 @@ function recordingOf(run) {
   return element ? viewer().unpack(element.textContent) : null;
 }
 
+/** The text of the module that simulates lives in this page: a promise, made once; null if the page holds none. */
+let module = null;
+function moduleText() {
+  const element = document.getElementById('module');
+  if (element) module ??= viewer().unpack(element.textContent);
+  return module;
+}
+
 /** Plays the champion in an element while that is seen. */
 function moveWhenSeen(element, run) {
   let player = null, seen = false;
@@ -50,7 +58,8 @@ function card(report, run) {
 export function gallery(report) {
   const hasAny = document.querySelector('script[data-run]');
   return section('champions', 'Champions',
-    make('p', {}, 'The best individual of every run, as it grows and moves. Each plays while it is on the screen; its name opens it with all its numbers.'),
+    make('p', {}, 'The best individual of every run, as it grows and moves. Each plays while it is on the screen; its name opens it with all its numbers.'
+      + (document.getElementById('module') ? ' There the core of planula simulates it again in this page, where you ask for it.' : '')),
     hasAny ? null : absent('This page holds no recordings.'),
     report.groups.flatMap((group) => group.settings.map((setting) => {
       const runs = [...report.runsOf.get(setting.setting)].sort((a, b) => a.rank - b.rank);
@@ -91,31 +100,36 @@ function named(report, hash) {
 /** Adds the window; it opens for links #run/… and #individual/…, and closes with Escape, its button or the way back. */
 export function individualWindow(report) {
   const dialog = make('dialog', { 'aria-labelledby': 'individual-title' });
-  let player = null, opened = 0, from = null;
+  let player = null, laboratory = null, opened = 0, from = null;
+  const stop = () => { player?.destroy(); laboratory?.destroy(); player = laboratory = null; };
   const leave = () => { if (/^#(run|individual)\//.test(location.hash)) history.replaceState(null, '', location.pathname + location.search); };
-  dialog.addEventListener('close', () => { player?.destroy(); player = null; leave(); from?.focus?.(); });
+  dialog.addEventListener('close', () => { stop(); leave(); from?.focus?.(); });
   dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });
 
   async function show({ run, row, file, isBest }) {
     const setting = report.bySetting.get(run.setting), mine = ++opened;
-    const stage = make('div', { class: 'stage large' });
-    player?.destroy();
-    player = null;
+    const stage = make('div', { class: 'stage large' }), again = make('div', {});
+    stop();
     dialog.replaceChildren(
       make('form', { method: 'dialog' }, make('button', { class: 'close', 'aria-label': 'Close' }, '×')),
       make('h2', { id: 'individual-title' }, swatch(setting), `${setting.title || setting.setting}, seed ${run.seed}`),
       make('p', {}, `${isBest ? 'The champion of the run: ' : ''}generation ${shown(row.generation)}, slot ${row.slot}; fitness ${shown(row.fitness)} cells.`),
-      stage, make('p', { class: 'quiet' }, isBest ? 'To see it with its network and signals, or as a picture or a film:' : 'The page holds the recordings of the champions alone. To see this individual, simulate it again from the run:'),
+      stage, again, make('p', { class: 'quiet' }, isBest ? 'To see it with its network and signals, or as a picture or a film:' : 'The page holds the recordings of the champions alone. To see this individual, simulate it again from the run:'),
       command(replayCommand(run, row)),
       make('dl', { class: 'facts' }, numbersOf(report, row, file).map(([name, value, meaning]) => make('div', {}, make('dt', { title: meaning }, name), make('dd', {}, value)))));
     if (!dialog.open) dialog.showModal();
     const recording = isBest ? recordingOf(run) : null;
     if (!recording) return stage.remove();
     try {
-      const read = await recording;
+      const read = await recording, core = await moduleText();
       if (mine !== opened || !dialog.open) return;
-      player = viewer().mountReplay(stage, read, {});
-      if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
+      const play = (life) => {
+        player?.destroy();
+        stage.classList.toggle('changed', life.life !== read.life);
+        player = viewer().mountReplay(stage, life, {});
+      };
+      play(read);
+      if (core) laboratory = viewer().mountLaboratory(again, read, core, play);
     } catch (error) {
       stage.replaceChildren(absent(`The recording cannot be shown: ${error.message}`));
     }

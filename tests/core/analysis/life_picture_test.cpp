@@ -2,12 +2,15 @@
 #include "analysis/life_picture.h"
 
 #include "analysis/life_scene.h"
+#include "base/text.h"
 #include "physics/object.h"
 #include "support/specimens.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 using namespace planula;
 using namespace planula::specimens;
@@ -27,6 +30,18 @@ std::size_t count(const std::string &text, const std::string &part) {
     std::size_t found = 0;
     for (std::size_t at = 0; (at = text.find(part, at)) != text.npos; at += part.size()) ++found;
     return found;
+}
+
+/// Of the discs in a picture how far to the left and right they lie, pixels.
+std::pair<double, double> span_of_discs(const std::string &picture) {
+    double left = 1e9, right = -1e9;
+    const std::string begin = "<circle cx=\"";
+    for (std::size_t at = 0; (at = picture.find(begin, at)) != picture.npos;) {
+        at += begin.size();
+        const double x = *parse_double(picture.substr(at, picture.find('"', at) - at));
+        left = std::min(left, x), right = std::max(right, x);
+    }
+    return {left, right};
 }
 
 } // namespace
@@ -76,4 +91,16 @@ BOOST_AUTO_TEST_CASE(a_film_has_growth_and_every_tenth_step_of_locomotion) {
                       last = film_picture(recording, frames.back(), "film");
     BOOST_TEST(count(first, "growth, step 0, 1 cell<") == 1u);
     BOOST_TEST(count(last, "gait, step 200, ") == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_film_shows_a_far_object_and_the_body) {
+    for (const double x : {-20.0, 9.0, 20.0}) {
+        Environment push = land();
+        push.object = make_object({x, 1}, 1.0);
+        const LifeRecording recording = recorded(push);
+        const auto [left, right] =
+            span_of_discs(film_picture(recording, film_frames(recording).back(), "film"));
+        BOOST_TEST(left > 0);
+        BOOST_TEST(right < 800);
+    }
 }

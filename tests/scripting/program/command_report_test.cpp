@@ -88,6 +88,23 @@ BOOST_AUTO_TEST_CASE(a_report_of_one_run_is_about_that_run_alone) {
     BOOST_TEST(count_of(place.page(), "data-run=") == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(a_page_holds_the_module_that_it_is_given_and_may_run_it) {
+    const Reported place;
+    const auto holds = [&](const std::vector<std::string> &words) {
+        BOOST_REQUIRE(place.report(place.run(1), words).code == 0);
+        const std::string page = place.page();
+        BOOST_TEST(contains(page, "'wasm-unsafe-eval'") == contains(page, "id=\"module\""));
+        return contains(page, "id=\"module\"");
+    };
+    place.write("module.js", "var planulaModule = 1;\n");
+    BOOST_TEST(holds({"--module", (place.path / "module.js").string()}));
+    BOOST_TEST(!holds({}));
+    place.write("other.js", "var another = 1;\n");
+    const Said other = place.report(place.run(1), {"--module", (place.path / "other.js").string()});
+    BOOST_TEST(other.code == 65);
+    BOOST_TEST(contains(other.err, "is not the module that `make wasm` builds"), other.err);
+}
+
 BOOST_AUTO_TEST_CASE(what_a_report_lacks_is_said) {
     const Reported place;
     const Said bare = place.report(place.runs(), {}, false);
