@@ -48,7 +48,7 @@ do for [p = 1:|panel|] {
     unset grid
     set xrange [-0.5:last + 0.5]
     set yrange [0:1]
-    set xtics 0, max(1, |panel| > 2 ? 2 * generation_tics(last) : generation_tics(last))
+    set xtics 0, (|panel| > 4 ? 2 : 1) * generation_tics(last)
     do for [i = 1:words(members[p])] {
         k = member(p, i)
         is_lowest = i == words(members[p])

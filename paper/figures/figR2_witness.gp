@@ -28,7 +28,7 @@ do for [i = 1:4] {
     set yrange [*:*]
     stats table('witness') using (strstrt(stringcolumn('setting'), group) == 1 ? column('displacement') : NaN) name 'END' nooutput
     set xrange [0:1.06 * largest(1)]
-    set xtics 0, largest(2) < 20 ? 5 : 2 * generation_tics(largest(2))
+    set xtics 0, step_of(largest(2) / 4.0)
     set logscale y
     set yrange [0.7 * least:200]
     if (i == 1) { set ytics ('≤ 0.001' 0.001, '0.01' 0.01, '0.1' 0.1, '1' 1, '10' 10, '100' 100) } else { set ytics ('' 0.001, '' 0.01, '' 0.1, '' 1, '' 10, '' 100) }

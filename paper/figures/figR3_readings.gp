@@ -42,7 +42,7 @@ do for [g = 1:4] {
     stats table('readings') using (strstrt(stringcolumn('setting'), '-'.word(groups, g).'-') > 0 ? column('best_fitness') : NaN) name 'END' nooutput
     set xrange [0:1.04 * largest(1)]
     set yrange [-count - gap(count) - 0.7:-0.3]
-    set xtics 0, largest(2) < 20 ? 5 : 2 * generation_tics(largest(2))
+    set xtics 0, step_of(largest(2) / 4.0)
     set xlabel 'best fitness' offset 0,0.9 textcolor rgb ink
     set label panel_title(word('A B C D', g), word(titles, g)) at graph 0,1.06 left textcolor rgb ink
     plot @unseen, for [s = 1:2] for [i = 1:count] table('readings') \

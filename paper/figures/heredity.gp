@@ -11,7 +11,7 @@ labels = '"correlation" "near mother (%)" "near best (%)"'
 last = last_of('generations')
 set multiplot layout 3,|panel| margins 0.085,0.985,0.98 / height,1 - (1.21 + key_height) / height spacing 0.02,0.52 / height
 set xrange [0:last]
-set xtics 0, generation_tics(last)
+set xtics 0, (|panel| > 4 ? 2 : 1) * generation_tics(last)
 unset key
 
 load 'paper/figures/key.gp'

@@ -44,10 +44,12 @@ if (!exists("GPFUN_panel_name")) panel_name(p) = panel[p]
 # Colours of generations, light for the first to dark for the last.
 set palette defined (0 '#fde725', 0.25 '#5ec962', 0.5 '#21918c', 0.75 '#3b528b', 1 '#440154')
 
-# Distance of tics along generations: whole, and so that some five of them stand below an axis.
-decade(last) = 10.0 ** floor(log10(last))
-generation_tics(last) = last < 20 ? ceil(last / 5.0) : \
-                        (last / decade(last) < 2 ? 0.25 : last / decade(last) < 5 ? 0.5 : 1) * decade(last)
+# Distance of tics: 1, 2 or 5 times a power of ten, so that about five of them stand below an axis of this length; along
+# generations it is whole.
+decade(length) = 10.0 ** floor(log10(length))
+step_of(length) = decade(length) * (length < 1.5 * decade(length) ? 1 : length < 3.5 * decade(length) ? 2 : \
+                                    length < 7.5 * decade(length) ? 5 : 10)
+generation_tics(last) = max(1, step_of(last / 5.0))
 
 max(a, b) = a > b ? a : b
 min(a, b) = a < b ? a : b
