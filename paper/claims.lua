@@ -87,6 +87,16 @@ function claims.by_chance() return ('%.0f'):format(0.05 * tonumber(claims.tests 
 -- Whether verdicts at the size of the original need a column: some are open, but not all.
 local function has_both() return #with('open', 'original') > 0 and #with('open', 'original') < #rows end
 
+-- The verdicts at the size of the original: all claims are open; or 3 claims are reproduced, …
+function claims.at_original()
+  if #with('open', 'original') == #rows then return 'all claims are open' end
+  local parts = {}
+  for index, verdict in ipairs { 'reproduced', 'contradicted', 'inconclusive', 'open' } do
+    parts[index] = ('%s %s%s'):format(claims.number(verdict, 'original'), index == 1 and 'claims are ' or '', verdict)
+  end
+  return in_words(parts)
+end
+
 -- ---- Sentences ----
 
 -- The size of the data in words: 3 of 20 runs of each setting, 30 of 2000 generations.
@@ -201,7 +211,7 @@ end
 local function evidence(row)
   local measured = {}
   if row.effect ~= '' then
-    local name = row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first side's")))
+    local name = row.effect_name == 'A12' and '$A_{12}$' or escape((row.effect_name:gsub("^a's", "first setting's")))
     measured[1] = ('%s\\,=\\,%s'):format(name, typeset.interval(row, 'effect'))
   end
   measured[#measured + 1] = probability_of(row, 'p', '$p$', row.method)
@@ -232,7 +242,7 @@ local function unjudged()
   local parts = {}
   for _, setting in ipairs(settings) do
     local shared = setting.setting:match '^(.*)%-neat$'
-    if shared then parts[#parts + 1] = ('%s %s : %s'):format(short(shared), elongation(shared .. '-neat'), elongation(shared .. '-ns')) end
+    if shared then parts[#parts + 1] = ('\\mbox{%s %s : %s}'):format(short(shared), elongation(shared .. '-neat'), elongation(shared .. '-ns')) end
   end
   return 'median elongation of the champions, NEAT : NS: ' .. table.concat(parts, ', ')
     .. '\\newline {\\scriptsize\\color{quiet}not a test; Figures~\\ref{fig:swimmers} to \\ref{fig:grnbodies} show the bodies}'
