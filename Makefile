@@ -273,8 +273,9 @@ test-wasm: program wasm build/page/report.js ## compare lives that the module si
 device-files: ## build for NVIDIA's graphics processors, as program GPU=1 does, and collect what tests/device/check.sh needs on a machine with one: build/device
 	@$(MAKE) program GPU=1
 	@cmake --build build --parallel $(JOBS) --target device_bench > build/device.log 2>&1 || { cat build/device.log; exit 1; }
-	@rm -rf build/device; mkdir -p build/device/lib/compiler
-	@cp build/planula build/tests/device_bench build/device
+	@rm -rf build/device; mkdir -p build/device/bin build/device/lib/compiler
+	@cp build/planula build/tests/device_bench build/device/bin
+	@cp -r experiments build/device
 	@ldd $(PLANULA) | awk '$$3 ~ /^\// && $$1 !~ /^lib(c|m|dl|rt|pthread)\.so/ { print $$3 }' | xargs -I{} cp -L {} build/device/lib
 	@mv build/device/lib/libstdc++.* build/device/lib/libgcc_s.* build/device/lib/compiler
 	@echo "device: $$(du -sh build/device | cut -f1) in build/device; there, run tests/device/check.sh"

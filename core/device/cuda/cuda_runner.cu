@@ -136,25 +136,20 @@ class CudaRunner final : public Runner {
 
 namespace planula {
 
-namespace {
-
-/// As CUDA's functions state versions: 13020 is 13.2.
-std::string version(int number) { return to_text(number / 1000) + '.' + to_text(number % 1000 / 10); }
-
-} // namespace
-
 std::unique_ptr<device::Runner> open_gpu() {
-    int count = 0, newest = 0; // CUDA that the driver knows; 0 without a driver
-    cudaDriverGetVersion(&newest);
+    constexpr int built_for =
+        CUDART_VERSION / 1000; // CUDA's version, of which drivers know all up to their own
+    int count = 0, driver = 0;
+    cudaDriverGetVersion(&driver);
     const cudaError_t code = cudaGetDeviceCount(&count);
-    if (code != cudaSuccess || count == 0)
-        throw InputError("no graphics processor can be used (" +
-                         (code == cudaSuccess ? "there is none" : std::string(cudaGetErrorString(code))) +
-                         "): --device gpu needs one of NVIDIA's, with a driver for CUDA " +
-                         version(CUDART_VERSION) + " or newer; " +
-                         (newest == 0 ? "there is no driver" : "the driver is for CUDA " + version(newest)) +
-                         ". Without it all runs on processors, with equal results");
-    return std::make_unique<device::CudaRunner>();
+    if (code == cudaSuccess && count > 0) return std::make_unique<device::CudaRunner>();
+    const int known = driver / 1000;
+    const std::string reason = known == 0          ? "there is no driver"
+                               : known < built_for ? "the driver is for CUDA " + to_text(known)
+                                                   : cudaGetErrorString(code);
+    throw InputError("no graphics processor can be used (" + reason +
+                     "); needed is one of NVIDIA's, with a driver for CUDA " + to_text(built_for) +
+                     " or newer. Without it all runs on processors, with equal results");
 }
 
 } // namespace planula
