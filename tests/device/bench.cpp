@@ -17,6 +17,7 @@
 #include "network/network.h"
 #include "physics/embody.h"
 #include "physics/native/native_engine.h"
+#include "support/trials.h"
 
 #include <atomic>
 #include <chrono>
@@ -71,12 +72,6 @@ struct Animat {
     Life life() const { return live(genome, conditions); }
 };
 
-bool same(const Trial &a, const Trial &b) {
-    return a.outcome == b.outcome && a.settle_steps == b.settle_steps && a.rest == b.rest &&
-           a.finish == b.finish && a.path == b.path && a.activity == b.activity &&
-           a.late_actuation == b.late_actuation;
-}
-
 /// Runs as many trials in one launch. Returns how many differ from the processor's.
 int launch(device::Runner &runner, const Animat &animat, int count) {
     std::vector<device::Job> jobs(count, animat.job());
@@ -85,7 +80,8 @@ int launch(device::Runner &runner, const Animat &animat, int count) {
     runner.run(0, pointers);
     const Trial expected = animat.trial();
     int different = 0;
-    for (const device::Job &job : jobs) different += !same(device::unpack(job.input, job.result), expected);
+    for (const device::Job &job : jobs)
+        different += !test::same(device::unpack(job.input, job.result), expected);
     return different;
 }
 
