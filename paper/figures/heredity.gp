@@ -36,7 +36,7 @@ do for [row = 1:3] {
         if (row == 3) { set format x '%g' } else { set format x '' }
         plot @unseen, for [i = 1:words(members[p])] k = member(p, i) table('heredity') \
                  using (of(setting[k], column('generation'))):(percent(column(measure))) \
-                 with lines linewidth 1.4 linecolor rgb tint(k)
+                 with linespoints linewidth 1.4 pointtype symbol(series_of[k]) pointsize 0.4 pointinterval generation_tics(last) linecolor rgb tint(k)
         unset arrow
         unset label
     }

@@ -54,7 +54,7 @@ do for [n = 1:words(panels)] {
              with lines linewidth 0.8 dashtype 2 linecolor rgb tint(k), \
          for [i = 1:words(members[p])] k = member(p, i) table('curves') \
              using (of(setting[k], column('generation'))):(column('mean')) \
-             with lines linewidth 1.8 linecolor rgb tint(k)
+             with linespoints linewidth 1.8 pointtype symbol(series_of[k]) pointsize 0.45 pointinterval generation_tics(last) linecolor rgb tint(k)
     unset arrow
     unset label
 }

@@ -11,6 +11,9 @@ load design
 member(p, i) = int(word(members[p], i))
 label(k) = series[series_of[k]]
 tint(k) = hue[series_of[k]]
+# The symbol on the curves of a series, by which they differ in grey print, too; none on the first.
+symbols = '0 6 4 8 10 12 7 5 9 11'
+symbol(s) = int(word(symbols, (s - 1) % 10 + 1))
 
 # The key: one line of all series at the right of the titles, if there is room for it, else lines of its own above the
 # panels. Lengths are cm.
