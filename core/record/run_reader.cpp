@@ -122,6 +122,24 @@ RunStatus status_now(const std::filesystem::path &folder) {
     return status;
 }
 
+void compare_files(const RecordedRun &run) {
+    check_files_are_there(run.folder, run.manifest);
+    for (const ManifestRow &row : run.manifest.rows())
+        if (is_file(row.key) && content_sha256(run.folder / row.key) != row.value)
+            throw InputError((run.folder / row.key).string() +
+                             ": its content is not what the run's manifest says");
+}
+
+/// Whether the manifest is no longer that which was read, as when another process made the run longer.
+bool became_longer(const RecordedRun &run) {
+    try {
+        const std::optional<Manifest> now = recorded_manifest(run.folder);
+        return !now || now->text("link") != run.manifest.text("link");
+    } catch (const InputError &) {
+        return false;
+    }
+}
+
 /// Files that another process replaces at this moment are read a second time.
 RunStatus status_of(const std::filesystem::path &folder) {
     RunStatus status = status_now(folder);
@@ -185,11 +203,13 @@ RecordedRun read_run(const std::filesystem::path &folder) {
 }
 
 void check_files(const RecordedRun &run) {
-    check_files_are_there(run.folder, run.manifest);
-    for (const ManifestRow &row : run.manifest.rows())
-        if (is_file(row.key) && content_sha256(run.folder / row.key) != row.value)
-            throw InputError((run.folder / row.key).string() +
-                             ": its content is not what the run's manifest says");
+    try {
+        compare_files(run);
+    } catch (const Error &) {
+        if (!became_longer(run)) throw;
+        throw InputError(run.folder.string() +
+                         ": another process makes this run longer at the moment. Give the command again.");
+    }
 }
 
 Genome read_champion_genome(const RecordedRun &run, int generations) {

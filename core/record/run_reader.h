@@ -58,7 +58,8 @@ std::vector<std::filesystem::path> folders_with_runs(const std::filesystem::path
 /// All runs below a folder, <folder>/<setting>/seed-NNN, by name. Throws InputError if there is no such folder.
 std::vector<RunStatus> statuses(const std::filesystem::path &runs);
 
-/// Throws InputError naming the first file whose content is not what the manifest says.
+/// Throws InputError naming the first file whose content is not what the manifest says, or saying that another process
+/// made the run longer meanwhile.
 void check_files(const RecordedRun &run);
 
 /// The genome of the champion after a number of generations. Throws InputError if the record has none.

@@ -143,6 +143,26 @@ BOOST_AUTO_TEST_CASE(a_changed_byte_of_any_file_is_found_and_the_file_named) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_run_that_becomes_longer_while_it_is_read_is_said_to) {
+    const TemporaryFolder folder;
+    const RecordedRun run = [&] {
+        const Spec spec = fake_spec("osc", 2, 3);
+        write_fake_run(folder.path(), spec, 1, life);
+        return found_in(folder, spec).runs.at(0);
+    }();
+    const auto message = [&] { return message_of<InputError>([&] { check_files(run); }); };
+    std::filesystem::rename(folder / "osc/seed-001/manifest.csv", folder / "manifest.csv");
+    BOOST_CHECK_NO_THROW(check_files(run)); // its files are still those that were there
+    write_bytes(folder / "osc/seed-001/generations.csv", "replaced");
+    BOOST_TEST(contains(message(), "makes this run longer"));
+    std::filesystem::rename(folder / "manifest.csv", folder / "osc/seed-001/manifest.csv");
+    BOOST_TEST(contains(message(), "its content is not what"));
+
+    std::filesystem::remove_all(folder / "osc");
+    write_fake_run(folder.path(), fake_spec("osc", 3, 3), 1, life);
+    BOOST_TEST(contains(message(), "makes this run longer"));
+}
+
 BOOST_AUTO_TEST_CASE(a_changed_row_in_the_manifest_is_found) {
     const TemporaryFolder folder;
     const auto place = write_fake_run(folder.path(), fake_spec("osc", 2, 3), 1, life);
