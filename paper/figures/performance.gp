@@ -42,7 +42,7 @@ do for [n = 1:words(panels)] {
             set label id at at - 1, graph 0.045 right offset -0.4,0 font ',7' textcolor rgb 0x666666
         } else { beyond = beyond.(beyond eq '' ? '' : ', ').sprintf('%s (generation %d)', id, at) }
     }
-    set label (beyond eq '' ? '' : 'beyond these runs: '.beyond) at graph 0.99,0.1 right font ',7' textcolor rgb 0x666666
+    set label (beyond eq '' ? '' : "beyond these runs:\n".beyond) at graph 0.99,0.13 right font ',7' textcolor rgb 0x666666
     set label missing at graph 0.5,0.5 center textcolor rgb 0x777777
     set label panel_title(words(panels) > 1 ? letter(n) : '', panel_name(p)) at graph 0,1.1 left textcolor rgb ink
     set ylabel (n % columns == 1 || columns == 1 ? fitness_label : '') offset 0.8,0 textcolor rgb ink
