@@ -17,6 +17,8 @@
     constructor(replay, make, lists) {
       this.replay = replay;
       this.make = make;
+      const { growth, gait } = replay.life.network;
+      this.isSilent = growth.steps.length + gait.steps.length === 0; // as galleries record
       const { root, stage } = replay;
       root.append(this.header(), make('div', { class: 'pl-body' },
         make('div', { class: 'pl-left' }, stage, this.timeline(), this.options(lists)), this.network()), this.footer());
@@ -214,7 +216,7 @@
     noteOn(state, activations) {
       const { about, chosen } = this.replay;
       if (!state.ids.includes(chosen)) return 'This cell does not live now. Choose one in the picture.';
-      if (!activations) return 'Its network has not been read yet.';
+      if (!activations) return this.isSilent ? 'The recording holds no activations.' : 'Its network has not been read yet.';
       if (state.stage === 'growth') return 'As of its newest decision. Choose a cell in the picture, or a node to colour by.';
       if (about.actuation === 'grn') return 'As of its newest update; it goes on in the moving body.';
       return 'As at the end of growth, where its oscillator was read; it is not updated any more.';

@@ -80,6 +80,12 @@ async function checkAddress(browser, check, page) {
   await browser.run(`for (let i = 0; i < 250 && !document.querySelector('dialog canvas'); ++i) await new Promise((resolve) => setTimeout(resolve, 20));`);
   const opened = await browser.run(isOpen);
   check('an address opens its champion', opened && opened.canvas && opened.title.includes('seed 3'), opened);
+  const printed = await browser.run(`
+    dispatchEvent(new Event('beforeprint'));
+    const widths = [...document.querySelectorAll('figure')].map((figure) => Math.max(0, ...[...figure.querySelectorAll('.picture svg')].map((svg) => svg.width.baseVal.value)));
+    dispatchEvent(new Event('afterprint'));
+    return widths;`);
+  check('on paper every figure is drawn, also those that were not seen yet', printed.length > 8 && printed.every((width) => width > 0 && width <= 680), printed);
 }
 
 /** The keyboard alone: from point to point of a map, and into the individual. */

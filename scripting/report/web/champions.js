@@ -27,13 +27,16 @@ function moveWhenSeen(element, run) {
   new IntersectionObserver(async ([entry]) => {
     seen = entry.isIntersecting;
     if (!seen) {
-      player?.destroy();
+      if (!player) return;
+      const still = element.querySelector('canvas'); // its last picture stays
+      player.destroy();
       player = null;
-      element.replaceChildren();
+      element.replaceChildren(still);
     } else if (!player && !element.dataset.failed) {
       try {
         const recording = await recordingOf(run);
         if (!seen || player) return;
+        element.replaceChildren();
         player = viewer().mountReplay(element, recording, { compact: true });
         if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
       } catch (error) {
@@ -76,11 +79,15 @@ export function gallery(report) {
 const quoted = (word) => (/^[\w./:@%+=-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 const replayCommand = (run, row) => `planula replay ${quoted(run.record.folder)} --generation ${row.generation} --slot ${row.slot}`;
 
+const bare = /^(1|id|slot|generation|0 or 1|as .*|see .*|)$/; // units that are not written
+const plural = (unit) => ({ cell: 'cells', step: 'steps' })[unit] ?? unit;
+
 /** Name, value and meaning of everything that a row of a table says. */
 function numbersOf(report, row, file) {
   return Object.keys(row).filter((name) => report.meanings.has(`${file} ${name}`) && row[name] !== null && row[name] !== '').map((name) => {
     const { unit, meaning } = report.meanings.get(`${file} ${name}`);
-    return [name.replaceAll('_', ' '), `${shown(row[name])}${typeof row[name] === 'number' && !['1', 'id', 'slot'].includes(unit) ? ` ${unit}` : ''}`, meaning];
+    const words = name.replaceAll('_', ' '), value = shown(row[name]);
+    return [words, typeof row[name] !== 'number' || bare.test(unit) || unit === words ? value : `${value} ${plural(unit)}`, meaning];
   });
 }
 
@@ -108,7 +115,7 @@ export function individualWindow(report) {
 
   async function show({ run, row, file, isBest }) {
     const setting = report.bySetting.get(run.setting), mine = ++opened;
-    const stage = make('div', { class: 'stage large' }), again = make('div', {});
+    const stage = make('div', { class: 'stage large' }), again = make('div', { class: 'again' });
     stop();
     dialog.replaceChildren(
       make('form', { method: 'dialog' }, make('button', { class: 'close', 'aria-label': 'Close' }, '×')),

@@ -13,23 +13,20 @@ export function make(tag, attributes = {}, ...children) {
   return element;
 }
 
-/** Calls action once, when the element comes near the window, or when the page is printed. */
+/** Calls action once, when the element comes near the window. */
 const waiting = new Map();
 const observer = new IntersectionObserver((entries) => {
-  for (const entry of entries) if (entry.isIntersecting) start(entry.target);
+  for (const { isIntersecting, target } of entries) {
+    if (!isIntersecting) continue;
+    observer.unobserve(target);
+    waiting.get(target)();
+    waiting.delete(target);
+  }
 }, { rootMargin: '600px 0px' });
-function start(element) {
-  const action = waiting.get(element);
-  waiting.delete(element);
-  observer.unobserve(element);
-  action?.();
-}
-export function whenNear(element, action) {
+function whenNear(element, action) {
   waiting.set(element, action);
   observer.observe(element);
 }
-export function startAll() { for (const element of [...waiting.keys()]) start(element); }
-addEventListener('beforeprint', startAll);
 
 /** A section with a heading that the contents list. */
 export function section(id, title, ...children) {
@@ -74,6 +71,15 @@ function dataTable(title, { columns, rows, note }) {
   return details;
 }
 
+/** Whether the page is dark. Figures are drawn again when that changes. */
+export const isDark = matchMedia('(prefers-color-scheme: dark)');
+isDark.addEventListener('change', () => { for (const each of document.querySelectorAll('figure[data-drawn]')) each.redraw(); });
+
+// On paper there are all figures, as wide as a page.
+const pageWidth = 680; // of A4 and of Letter, pixels
+addEventListener('beforeprint', () => { for (const each of document.querySelectorAll('figure')) each.redraw(pageWidth); });
+addEventListener('afterprint', () => { for (const each of document.querySelectorAll('figure')) each.redraw(); });
+
 let figures = 0;
 
 /** A figure: title and what it shows, a sentence on what is seen, the picture, made when it comes near and again for another
@@ -84,11 +90,10 @@ export function figure({ id, title, explanation, summary, draw, data, controls }
   const element = make('figure', { id, 'data-figure': number },
     make('figcaption', {}, make('span', { class: 'label' }, `Figure ${number}`), make('strong', {}, title), ' ', explanation),
     make('p', { class: 'summary' }, summary), controls, canvas, data && dataTable(title, data));
-  let width = 0;
-  element.redraw = () => {
-    if (!width) return;
-    canvas.style.minHeight = '';
-    canvas.replaceChildren(draw(width));
+  let width = 0; // unknown until it comes near
+  element.redraw = (at = width) => {
+    if (!at) return;
+    canvas.replaceChildren(draw(at));
     element.dataset.drawn = '';
   };
   whenNear(element, () => new ResizeObserver(() => {

@@ -2,17 +2,17 @@
 // Where individuals ended, and what the archive keeps: maps whose points open the individual.
 import * as Plot from '@observablehq/plot';
 import { counted, list, listOfTitles, shown } from './data.js';
-import { absent, choice, figure, make, panels, section } from './dom.js';
+import { absent, choice, figure, isDark, make, panels, section } from './dom.js';
 import { chart, generationAxis, grid, tip } from './charts.js';
 
-/** Colours of generations: light for the first to dark for the last, as in the article. */
+/** Colours of generations: light for the first to dark for the last, as in the article; on a dark page the other way. */
 const ages = ['#fde725', '#5ec962', '#21918c', '#3b528b', '#440154'];
 const age = (report) => ({ type: 'linear', domain: ages.map((_, i) => (i / (ages.length - 1)) * Math.max(1, Math.max(...report.settings.map((s) => s.generations)) - 1)),
-  range: ages, interpolate: 'rgb' });
+  range: isDark.matches ? [...ages].reverse() : ages, interpolate: 'rgb' });
 
 function scaleOfGenerations(report) {
   const last = Math.max(...report.settings.map((setting) => setting.generations)) - 1;
-  return make('p', { class: 'ramp', 'aria-hidden': 'true' }, 'generation 0', make('span', { style: `background: linear-gradient(to right, ${ages.join(', ')})` }), shown(last));
+  return make('p', { class: 'ramp', 'aria-hidden': 'true' }, 'generation 0', make('span', { style: `--ages: ${ages.join(', ')}` }), shown(last));
 }
 
 export const linkOf = (row) => `#individual/${row.setting}/${row.seed}/${row.generation}/${row.slot}`;
