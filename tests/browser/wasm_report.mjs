@@ -42,7 +42,7 @@ async function tryChampion(browser, check, setting) {
 }
 
 export async function test({ browser, planula, folder, check }) {
-  const report = (...words) => planula('report', runs, '--script', script, ...words).trim();
+  const report = (...words) => planula('report', runs, '--seeds', '1', '--script', script, ...words).trim();
   const page = report('--out', join(folder, 'with'), '--module', module);
   console.log(`test-pages: report with the module: ${(statSync(page).size / 2 ** 20).toFixed(2)} MiB`);
   await browser.go('file://' + resolve(page));

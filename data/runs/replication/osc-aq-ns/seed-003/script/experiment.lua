@@ -7,7 +7,7 @@ return paper.design {
   name = "replication",
   title = "Joachimczak, Suzuki & Arita (2015)",
   statistics = "paper.statistics",
-  record = "sample", -- what figures and claims need; "full" keeps every individual, 45 MB a run
+  record = 300, -- a sample of the individuals: what figures and claims need; "full" keeps every one, 45 MB a run
   settings = {
     { name = "osc-aq-neat", title = "Oscillators, water, NEAT",         actuation = "oscillator", search = "neat",    environment = paper.aquatic() },
     { name = "osc-aq-ns",   title = "Oscillators, water, novelty",      actuation = "oscillator", search = "novelty", environment = paper.aquatic() },
