@@ -180,6 +180,12 @@ function tables.heredity(setting)
   return value and (('%.2f'):format(value):gsub('^%-', '$-$')) or '--'
 end
 
+-- The share of cyclic gaits in the last generation of a setting.
+function tables.cyclic_share(setting)
+  local rows = csv.where(data.heredity, { setting = setting })
+  return #rows > 0 and ('%s\\,\\%%'):format(percent_of(rows[#rows].cyclic)) or '--'
+end
+
 -- The number of rows of a table; whether it has any.
 function tables.rows(name) return tostring(#data[name]) end
 function tables.has(name) return #data[name] > 0 end
