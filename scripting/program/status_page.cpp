@@ -32,6 +32,7 @@ th:first-child, td:first-child { text-align: left; }
 .quiet { color: var(--muted); }
 summary { cursor: pointer; margin-top: 1.2em; }
 svg { display: block; margin-left: auto; }
+@media (max-width: 640px) { table { display: block; overflow-x: auto; } }
 )";
 
 std::string cell(const std::string &content) { return "<td>" + content + "</td>"; }
