@@ -276,6 +276,7 @@ device-files: ## build for NVIDIA's graphics processors, as program GPU=1 does, 
 	@rm -rf build/device; mkdir -p build/device/bin build/device/lib/compiler
 	@cp build/planula build/tests/device_bench build/device/bin
 	@cp -r experiments build/device
+	@for run in data/runs/replication/*/seed-001; do mkdir -p build/device/$${run#data/} && cp -r $$run/. build/device/$${run#data/}; done
 	@ldd $(PLANULA) | awk '$$3 ~ /^\// && $$1 !~ /^lib(c|m|dl|rt|pthread)\.so/ { print $$3 }' | xargs -I{} cp -L {} build/device/lib
 	@mv build/device/lib/libstdc++.* build/device/lib/libgcc_s.* build/device/lib/compiler
 	@echo "device: $$(du -sh build/device | cut -f1) in build/device; there, run tests/device/check.sh"

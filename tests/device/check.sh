@@ -82,8 +82,8 @@ if ((code)); then
     finish_summary
 fi
 
-# Recorded lives of 30 generations of all settings, each simulated again.
-check recorded "$work/recorded" within 100 "${own[@]}" "$planula" verify data/runs/replication --share 100 --draw 1 --minutes 1 --device gpu
+# Recorded lives of a run of each setting, simulated again.
+check recorded "$work/recorded" within 100 "${own[@]}" "$planula" verify "$files/runs/replication" --share 100 --draw 1 --minutes 1 --device gpu
 grep '^verify:' "$work/recorded" | tee -a "$out/summary.txt"
 
 # ---- Speed -----------------------------------------------------------------------------------------------------------
