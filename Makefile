@@ -159,7 +159,7 @@ readings-tables:
 	@$(call replace_if_changed,$(OUT)/data.new,$(OUT)/data)
 
 # The claims under the standard reading and two others. The standard's runs are those of the replication, which may be longer.
-robustness: program ## evolve the replication under two other readings and judge its claims: build/data/robustness.csv, some hours
+robustness: program ## evolve the replication under two other readings and judge its claims: build/data/robustness.csv, about an hour
 	@rm -rf $(OUT)/robustness; for reading in $(ROBUSTNESS_READINGS); do \
 	  case $$reading in standard) set=(); runs=$(REPLICATION_RUNS) ;; *) set=(--set $$reading); runs=$(OUT)/runs/$$reading ;; esac; \
 	  $(PLANULA) run experiments/paper/replication.lua $(ROBUSTNESS_DESIGN) "$${set[@]}" --out "$$runs"; \
@@ -171,7 +171,7 @@ robustness: program ## evolve the replication under two other readings and judge
 	@echo 'robustness: $(OUT)/data/robustness.csv; the next `make paper` has its table'
 
 ROBUSTNESS_READINGS = standard division_angle_range=0.25 weight_power=1
-ROBUSTNESS_DESIGN = --seeds 1:20 --generations 25 --population 300
+ROBUSTNESS_DESIGN = --seeds 1:10 --generations 25 --population 300
 
 with_module = $(filter-out 0,$(WASM))
 report: program build/page/report.js $(if $(with_module),wasm) ## make a page of the tracked runs, or of the runs in REPORT=DIR, for a browser: build/report/<experiment>/report.html; WASM=1: one that simulates champions again, too

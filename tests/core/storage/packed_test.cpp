@@ -7,6 +7,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <optional>
+#include <string>
+
 using namespace planula;
 
 namespace {
