@@ -4,7 +4,7 @@
 # those of series.gp that are drawn, in rows of two.
 columns = words(panels) > 1 ? 2 : 1
 rows = (words(panels) + 1) / 2
-key_room = columns > 1 ? 4.6 : 9
+if (!exists('key_room')) key_room = columns > 1 ? 3 : 9
 load 'paper/figures/series.gp'
 height = 6.9 * rows + key_height
 load 'paper/figures/style.gp'
