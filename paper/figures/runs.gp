@@ -39,6 +39,11 @@ do for [p = 1:|panel|] { do for [i = 1:words(members[p])] {
         if (END_records >= 4) { low[k] = END_lo_quartile; high[k] = END_up_quartile }
     }
 }}
+# Values that cannot be below 0, as fitness, stand on an axis from 0.
+if (means eq '') {
+    stats table('runs') using (column(measure)) name 'ALL' nooutput
+    if (ALL_records > 0 && ALL_min >= 0) { set yrange [0:*] }
+}
 source = means eq '' ? 'runs' : means
 mean(k, value) = means eq '' ? NaN : of(setting[k], value)
 plot for [p = 1:|panel|] for [i = 1:words(members[p])] k = member(p, i) table('runs') \
