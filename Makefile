@@ -253,7 +253,7 @@ test-pages: program build/page/report.js ## open reports and replays of the trac
 	@bash tests/support/packages.sh chromium chromium-driver $$(command -v node > /dev/null || echo nodejs)
 	@node tests/browser/run.mjs $(PLANULA) build/pages report replay
 
-wasm: ## build the module with which pages simulate lives again in a browser: build/wasm/planula.js; installs emscripten
+wasm: ## build the module with which pages simulate individuals again in a browser: build/wasm/planula.js; installs emscripten
 	@bash tests/support/packages.sh cmake make ninja-build libcgal-dev libeigen3-dev emscripten
 	@echo 'wasm: compiling the core for browsers …'
 	@mkdir -p build
