@@ -90,15 +90,20 @@ gallery: deps-paper program ## run every file of experiments/variants/ a little,
 picture: deps-paper program ## draw the animat of the README, paper/animat.png
 	@$(MAKE) paper/animat.png
 
-reproduce: program ## evolve the design of the tracked tables again, from the start, and compare every table and run with the tracked ones
+reproduce: program ## evolve the design of the tracked tables again, from the start, and compare every table and run with the tracked ones; may be interrupted, the same command resumes
 	@[ -f data/manifest.csv ] || { echo 'reproduce: there are no tracked tables in data/'; exit 1; }
-	@rm -rf $(OUT)/reproduce
+	@! [ -e $(OUT)/reproduce/compared ] || rm -rf $(OUT)/reproduce
 	@$(MAKE) evolve data OUT=$(OUT)/reproduce SEEDS=1:$(call stated,seeds) POPULATION=$(call stated,population) GENERATIONS=$(call stated,generations)
+	@touch $(OUT)/reproduce/compared
+	@$(call last_states_only,$(OUT)/reproduce/runs)
 	@diff -r -x manifest.csv -x script $(OUT)/reproduce/runs/* data/runs/replication || { echo 'reproduce: the runs differ'; exit 1; }
 	@different=0; for table in $(OUT)/reproduce/data/*.csv; do \
 	  cmp -s "$$table" "data/$${table##*/}" || { echo "reproduce: $${table##*/} differs"; different=$$((different + 1)); }; done; \
 	  echo "reproduce: $$(ls $(OUT)/reproduce/data/*.csv | wc -l) tables made again, $$different of them differ from those in data/"; ((different == 0))
 # What runs keep of their scripts may differ in what decides no result; identity.csv has what does.
+# $(call last_states_only,FOLDER): removes from the runs below a folder the kept states before the last. They only shorten
+# what `planula verify` simulates at a time, and would be a fifth of the tracked runs.
+last_states_only = rm -rf $(1)/*/progress; find $(1) -type d -name states | while read -r states; do ls "$$states"/*.state | sed '$$d' | xargs -r rm; done
 # A number of the design of the tracked tables.
 stated = $(shell awk -F, '$$1 == "$(1)" { print $$2 }' data/manifest.csv)
 
@@ -109,6 +114,7 @@ MINUTES ?= 10
 keep-data: ## copy the tables in build/data and their runs, without those of readings, to data/, whose tables `make paper` uses
 	@cp $(OUT)/data/*.csv data/
 	@rm -rf data/runs; mkdir -p data/runs; cp -r $(RUNS) data/runs/replication; cp -r $(OUT)/runs/searches data/runs/searches
+	@$(call last_states_only,data/runs)
 	@echo 'data: $(words $(wildcard $(OUT)/data/*.csv)) tables and their runs copied from $(OUT); commit them with the design that made them'
 
 release: paper ## pack the committed sources, the data and the article with their checksums: build/release/, the same bytes for the same commit

@@ -5,7 +5,7 @@
 // A run that is under way has `checkpoint`, and the one before it as `checkpoint.previous`. At every moment, whatever
 // happens to the process or the machine, one of them is whole; the tables that it refers to were on disk before it. In
 // `states/` stay those before generations 25, 50 and every multiple of 100, for audits, and that before the run's last
-// generation, from which it can become longer.
+// generation, from which it can become longer. The former may be removed from a complete run to save space.
 //
 // A file that was cut or changed is recognised by its seal and passed over; one with a right seal and invalid content
 // is refused.

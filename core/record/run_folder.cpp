@@ -190,9 +190,22 @@ FolderLock hold_for_tables(const std::filesystem::path &out) {
 
 bool is_file(std::string_view key) { return key.find('.') != std::string_view::npos; }
 
+bool may_be_absent(const Manifest &manifest, std::string_view file) {
+    const std::filesystem::path last = state_path({}, manifest.count("generations") - 1);
+    return std::filesystem::path(file).parent_path() == last.parent_path() && file != last.generic_string();
+}
+
+int absent_states(const std::filesystem::path &folder, const Manifest &manifest) {
+    return static_cast<int>(
+        std::count_if(manifest.rows().begin(), manifest.rows().end(), [&](const ManifestRow &row) {
+            return may_be_absent(manifest, row.key) && !std::filesystem::exists(folder / row.key);
+        }));
+}
+
 void check_files_are_there(const std::filesystem::path &folder, const Manifest &manifest) {
     for (const ManifestRow &row : manifest.rows())
-        if (is_file(row.key) && !std::filesystem::exists(folder / row.key))
+        if (is_file(row.key) && !may_be_absent(manifest, row.key) &&
+            !std::filesystem::exists(folder / row.key))
             throw InputError(folder.string() + " lacks " + row.key +
                              ", which its manifest names: the folder is not whole. Nothing was changed. "
                              "Bring the file back, or "

@@ -4,7 +4,7 @@
 //   identity.csv               what decides its genomes and lives, written before all else that it produces
 //   script/                    the script that began it, its modules, and what the command line set beside them
 //   <table>.part, checkpoint   while it is under way
-//   states/                    kept states (record/kept_state.h)
+//   states/                    kept states (record/kept_state.h); those before the last one may be removed
 //   <table>, chain.csv         once it has come to an end
 //   manifest.csv               written last: how long the run is, and the hash of every file
 //
@@ -83,14 +83,21 @@ FolderLock hold_for_tables(const std::filesystem::path &out);
 /// Whether a row of a run's manifest is the hash of a file: its key is a path.
 bool is_file(std::string_view key);
 
-/// The generations of the run in this folder whose results are complete: 0 without a manifest. Throws InputError if a
-/// file that the manifest names is not there.
+/// Whether a run is whole without this file, which its manifest names: a kept state before the last one. Such states
+/// only shorten what an audit or a replay simulates.
+bool may_be_absent(const Manifest &manifest, std::string_view file);
+
+/// How many kept states that the manifest names are not in the folder.
+int absent_states(const std::filesystem::path &folder, const Manifest &manifest);
+
+/// The generations of the run in this folder whose results are complete: 0 without a manifest. Throws InputError as
+/// check_files_are_there() does.
 int complete_generations(const std::filesystem::path &folder);
 
 /// The generations of the run that are done, complete or only kept by a checkpoint.
 int recorded_generations(const std::filesystem::path &folder);
 
-/// Throws InputError that names a file which the manifest names and the folder lacks.
+/// Throws InputError that names a file which the manifest names and the folder lacks, unless it may be absent.
 void check_files_are_there(const std::filesystem::path &folder, const Manifest &manifest);
 
 } // namespace planula

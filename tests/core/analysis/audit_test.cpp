@@ -287,6 +287,20 @@ BOOST_AUTO_TEST_CASE(an_unchanged_run_agrees_with_itself_and_with_the_model) {
         }
 }
 
+BOOST_AUTO_TEST_CASE(without_the_kept_states_before_the_last_an_audit_simulates_longer_stretches) {
+    const Audited run;
+    BOOST_TEST(stretches(open_run(run.place)).size() == 3u);
+    fs::remove(state_path(run.place, 25));
+    BOOST_TEST(run.inconsistency() == "");
+    const std::vector<Stretch> longer = stretches(open_run(run.place));
+    BOOST_REQUIRE(longer.size() == 2u);
+    BOOST_TEST(longer[0].first == 0);
+    BOOST_TEST(longer[0].last == 30);
+    for (const Stretch &stretch : longer) BOOST_TEST(run.refuted(stretch) == "");
+    fs::remove(state_path(run.place, 31));
+    BOOST_TEST(contains(run.inconsistency(), " lacks states/000031.state"));
+}
+
 BOOST_AUTO_TEST_CASE(an_audit_takes_from_the_record_how_much_is_recorded) {
     // Of 6 individuals in a generation some are left out after 167 generations.
     constexpr int length = 180;

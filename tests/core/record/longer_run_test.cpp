@@ -45,6 +45,19 @@ BOOST_AUTO_TEST_CASE(a_run_that_becomes_longer_equals_one_started_at_that_length
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_run_whose_kept_states_before_the_last_were_removed_becomes_longer) {
+    const TemporaryFolder folder;
+    const fs::path place = folder / "run";
+    quick::write(place, quick::spec("novelty", 27));
+    fs::remove(state_path(place, 25));
+    quick::write(place, quick::spec("novelty", 29));
+    BOOST_CHECK_NO_THROW(check_files(open_run(place)));
+    auto whole = at_once("novelty", 29);
+    BOOST_TEST(whole.erase("states/000025.state") == 1u);
+    for (const auto &[file, bytes] : contents(place))
+        if (file != "manifest.csv") BOOST_TEST((whole.at(file) == bytes), file);
+}
+
 BOOST_AUTO_TEST_CASE(a_shorter_run_than_there_is_changes_nothing) {
     const TemporaryFolder folder;
     quick::write(folder / "run", quick::spec("novelty", 5));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/chain.h"
+#include "record/kept_state.h"
 #include "record/run_reader.h"
 #include "storage/input.h"
 #include "support/commands.h"
@@ -34,13 +35,13 @@ BOOST_AUTO_TEST_CASE(unaltered_runs_are_verified_as_far_as_is_asked) {
     BOOST_TEST(
         contains(all.out,
                  "verify: 2 runs of 56 generations in all: their files agree; 56 generations simulated again "
-                 "(100.0 %, --draw 7), all as recorded.\n"
+                 "as recorded (100.0 %, --draw 7).\n"
                  "The probability that one altered generation with consistent hashes was not found is "
                  "0.000.\n"),
         all.out);
     const Said none = planula_says({"verify", place.runs(), "--share", "0"});
     BOOST_TEST(none.code == 0);
-    BOOST_TEST(contains(none.out, "; 0 generations simulated again (0.0 %"), none.out);
+    BOOST_TEST(contains(none.out, "; 0 generations simulated again as recorded (0.0 %"), none.out);
     BOOST_TEST(contains(none.out, "not found is 1.000."), none.out);
     BOOST_TEST(none.err == "");
     // One percent of a run is at least one stretch, and the same draw gives the same stretch.
@@ -132,6 +133,41 @@ BOOST_AUTO_TEST_CASE(changed_scripts_and_states_are_found) {
     fs::copy_file(place.run() / "states/000025.state", place.run() / "states/000027.state",
                   fs::copy_options::overwrite_existing);
     BOOST_TEST(contains(found_in(place.runs()), "states/000027.state: "));
+}
+
+BOOST_AUTO_TEST_CASE(a_stretch_that_differs_is_not_counted_as_simulated) {
+    const Workplace place;
+    BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "28"}).code == 0);
+    // A state that is whole and has the right name, link and identity, and other genomes than the run had.
+    const fs::path file = state_path(place.run(), 25);
+    KeptState kept = read_state(file).value();
+    kept.best_fitness += 1;
+    const std::string sha256 = keep_state(place.run(), kept);
+    const Manifest old(place.run());
+    Manifest manifest;
+    for (const ManifestRow &row : old.rows())
+        if (row.key != "manifest_sha256")
+            manifest.add(row.key, row.key == "states/000025.state" ? sha256 : row.value);
+    manifest.seal();
+    manifest.write(place.run());
+    const std::string found = found_in(place.runs(), {"--share", "100"});
+    BOOST_TEST(contains(found, file.string() + ": the kept state is not what simulating up to it gives"),
+               found);
+    BOOST_TEST(contains(found, "; 3 generations simulated again as recorded (10.7 %"), found);
+    BOOST_TEST(contains(found, "not found is 0.893."), found);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_may_lack_its_kept_states_before_the_last_and_verify_says_so) {
+    const Workplace place;
+    BOOST_REQUIRE(place.run_says({"--seeds", "1", "--generations", "28"}).code == 0);
+    BOOST_TEST(!contains(planula_says({"verify", place.runs(), "--share", "0"}).out, "removed"));
+    fs::remove(state_path(place.run(), 25));
+    const Said said = planula_says({"verify", place.runs(), "--share", "100"});
+    BOOST_TEST(said.code == 0, said.out);
+    BOOST_TEST(contains(said.out, "28 generations simulated again as recorded (100.0 %"), said.out);
+    BOOST_TEST(contains(said.out, "Kept states that were removed: 1."), said.out);
+    fs::remove(state_path(place.run(), 27));
+    BOOST_TEST(contains(found_in(place.runs()), place.run().string() + " lacks states/000027.state"));
 }
 
 BOOST_AUTO_TEST_CASE(verify_reports_folders_without_a_complete_run) {
