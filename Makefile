@@ -76,9 +76,14 @@ frames: program ## simulate the best individuals of each setting again and write
 figures: deps-paper program ## draw the article's figures from the tables; RUNS=DIR draws those of your own runs, EXPERIMENT=FILE runs a script first: build/figures/<name>, as FORMATS="pdf svg png"
 	@if [ -n '$(own)' ]; then $(MAKE) own-figures; else $(MAKE) figure-files; echo 'figures: $(FIGURES)'; fi
 
+# What the caller names may hold spaces and quotation marks, so the shell takes it from the environment.
+own-figures: export EXPERIMENT := $(EXPERIMENT)
+own-figures: export RUNS := $(if $(given_runs),$(RUNS))
 own-figures:
-	@[ -n '$(given_runs)' ] || $(PLANULA) run $(EXPERIMENT) $(DESIGN) --out '$(RUNS)'
-	@bash paper/figures/plot.sh $(PLANULA) '$(RUNS)' '$(FIGURES)/$(notdir $(if $(given_script),$(basename $(EXPERIMENT)),$(RUNS:%/=%)))' '$(FORMATS)' $(if $(given_script),$(EXPERIMENT))
+	@name=$$(basename "$$EXPERIMENT" .lua); runs=$${RUNS:-$(OUT)/runs/$$name-$(POPULATION)}; \
+	  [ -n "$$RUNS" ] || $(PLANULA) run "$$EXPERIMENT" $(DESIGN) --out "$$runs"; \
+	  [ -n '$(given_script)' ] || name=$$(basename "$$runs"); \
+	  bash paper/figures/plot.sh $(PLANULA) "$$runs" "$(FIGURES)/$$name" '$(FORMATS)' $(if $(given_script),"$$EXPERIMENT")
 FORMATS ?= pdf svg png
 given_runs = $(filter command environment,$(firstword $(origin RUNS)))
 given_script = $(filter command environment,$(firstword $(origin EXPERIMENT)))
@@ -181,8 +186,9 @@ ROBUSTNESS_DESIGN = --seeds 1:10 --generations 25 --population 300
 
 with_module = $(filter-out 0,$(WASM))
 report: program build/page/report.js $(if $(with_module),wasm) ## make a page of the tracked runs, or of the runs in REPORT=DIR, for a browser: build/report/<experiment>/report.html; WASM=1: one that simulates champions again, too
-	@page=$$($(PLANULA) report $(REPORT) $(if $(with_module),--module build/wasm/planula.js) $(if $(filter data/runs/replication,$(REPORT)),--script $(EXPERIMENT))); echo "report: $$page"
+	@page=$$($(PLANULA) report "$$REPORT" $(if $(with_module),--module build/wasm/planula.js) $(if $(filter data/runs/replication,$(REPORT)),--script '$(EXPERIMENT)')); echo "report: $$page"
 REPORT ?= data/runs/replication
+report: export REPORT := $(REPORT)
 
 # The scripts of reports with the packages that they use, where planula report finds them.
 WEB = $(wildcard scripting/report/web/*)

@@ -106,8 +106,8 @@ void check_obstacle(const Obstacle &obstacle, const std::string &name, Vec2d sta
     double nearest = is_inside(start, points) ? 0 : 1;
     for (const Side side : sides_of(points)) nearest = std::min(nearest, distance_from(start, side));
     require(nearest >= 0.5,
-            name + " must leave the place free where bodies start, half a cell around (" + to_text(start.x) +
-                ", " + to_text(start.y) + ")",
+            name + " must leave the place free where bodies start: its distance from (" + to_text(start.x) +
+                ", " + to_text(start.y) + ") must be half a cell or more",
             nearest);
 }
 

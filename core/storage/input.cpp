@@ -45,6 +45,17 @@ Input::Input(std::filesystem::path path) : path_(std::move(path)), packed_(path_
     }
 }
 
+namespace {
+
+/// What zlib says, in brackets, without the name that it gives the stream, as in "<fd:3>: incorrect data check".
+std::string reason_of(const std::string &said) {
+    const std::size_t colon = said.find(": ");
+    const std::string reason = colon == std::string::npos ? said : said.substr(colon + 2);
+    return reason.empty() ? "" : " (" + reason + ")";
+}
+
+} // namespace
+
 Input::~Input() { gzclose_r(handle(stream_)); }
 
 int Input::read(char *buffer, int size) {
@@ -58,7 +69,7 @@ int Input::read(char *buffer, int size) {
         if (state == Z_ERRNO) throw IoError("cannot read " + path_.string() + ": " + reason(errno));
         if (state == Z_BUF_ERROR) throw InputError(path_.string() + ": the compressed data are cut off");
         if (got < 0 || state < 0)
-            throw InputError(path_.string() + ": damaged compressed data (" + said + ")");
+            throw InputError(path_.string() + ": damaged compressed data" + reason_of(said));
         const bool unpacked = !gzdirect(handle(stream_));
         if (packed_ && !unpacked) throw InputError(path_.string() + ": not a gzip file");
         if (!packed_ && unpacked)

@@ -95,8 +95,11 @@ const Source &Sources::module(std::string_view name) {
         }
         tried += "\n    " + folder.string();
     }
-    throw InputError("no module '" + dotted + "'; looked for " + slashed + ".lua and " + slashed +
-                     "/init.lua in:" + tried);
+    throw InputError(
+        "no module '" + dotted + "'; looked for " + slashed + ".lua and " + slashed +
+        "/init.lua in:" + tried +
+        "\n  The last folder is looked for beside the one that holds the program: leave it in build/, and "
+        "link to it from elsewhere.");
 }
 
 void Sources::limit_instructions(bool limited) {

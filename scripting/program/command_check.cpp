@@ -149,7 +149,7 @@ class Check {
                           runs = experiment_.settings.size() * count;
         const double seeds = static_cast<double>(count), hours = seconds_ * seeds / 3600;
         console_.out << "estimated: " << count_of(runs, "run") << ", "
-                     << to_fixed(evaluations_ * seeds / 1e6, 2) << " million evaluations\n"
+                     << evaluations_text(evaluations_ * seeds) << '\n'
                      << "  time    " << to_fixed(hours, 2) << " core-hours ("
                      << long_time(seconds_ * seeds / threads_) << " on "
                      << count_of(static_cast<std::size_t>(threads_), "thread")

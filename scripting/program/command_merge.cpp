@@ -20,6 +20,15 @@ struct Gathered {
     int copied = 0, longer = 0, known = 0, unfinished = 0, refused = 0;
 };
 
+/// Throws InputError if a folder has no runs of its own, and says where there are some below it.
+void check_runs_in(const std::string &from) {
+    if (!std::filesystem::is_directory(from)) throw InputError(from + " is not a folder");
+    if (!statuses(from).empty()) return;
+    const std::vector<std::filesystem::path> below = folders_with_runs(from);
+    throw InputError(from + " has no runs, <setting>/seed-NNN" +
+                     (below.empty() ? "" : "; give the folder that was --out of " + below.front().string()));
+}
+
 /// Gathers every run below a folder, and reports each that is refused.
 void gather(const std::filesystem::path &from, const std::filesystem::path &into, Gathered &all,
             std::ostream &err) {
@@ -62,7 +71,7 @@ int merge(const Arguments &arguments, Console &console) {
     const std::filesystem::path into = arguments.text("into");
     for (const std::string &from : arguments.operands) {
         std::error_code unknown;
-        if (!std::filesystem::is_directory(from)) throw InputError(from + " is not a folder");
+        check_runs_in(from);
         if (std::filesystem::equivalent(from, into, unknown))
             throw UsageError("planula merge: " + from + " is the folder of --into itself");
     }

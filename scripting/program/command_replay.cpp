@@ -81,10 +81,22 @@ void join_film(const std::vector<std::string> &how, const std::string &name,
 /// Every option that names a file.
 constexpr const char *forms[] = {"html", "svg", "png", "gif", "mp4"};
 
+/// Throws UsageError if a file is called as one of another form.
+void check_ending(const std::string &form, const std::string &file) {
+    for (const std::string other : forms)
+        if (other != form && file.ends_with("." + other))
+            throw UsageError("--" + form + " " + file +
+                             " would be a file of another form than its name says; " + "write --" + other +
+                             " " + file);
+}
+
 /// Throws before anything is simulated if one of the files cannot be made.
 void check_outputs(const Arguments &arguments) {
     for (const char *form : forms)
-        if (arguments.has(form)) check_replaceable(arguments.text(form));
+        if (arguments.has(form)) {
+            check_ending(form, arguments.text(form));
+            check_replaceable(arguments.text(form));
+        }
     if (arguments.has("png")) require_tool("rsvg-convert", "librsvg2-bin", "--png");
     for (const char *form : {"gif", "mp4"})
         if (arguments.has(form)) require_tool("ffmpeg", "ffmpeg", "--" + std::string(form));

@@ -46,12 +46,32 @@ std::string version_line() {
            '\n';
 }
 
+/// What other programs call a command, and the words that do it here.
+constexpr std::pair<std::string_view, std::string_view> other_names[] = {
+    {"resume", "planula run resumes, with the same words as before"},
+    {"continue", "planula run continues, with the same words as before"},
+    {"evolve", "planula run evolves"},
+    {"simulate", "planula replay simulates an individual again, planula run evolves"},
+    {"film", "planula replay RUN --mp4 FILE makes a film"},
+    {"plot", "make figures RUNS=DIR draws runs, planula compare two or more settings"},
+    {"figures", "make figures RUNS=DIR draws runs, planula compare two or more settings"},
+    {"new", "copy a file of experiments/variants/"},
+    {"bench", "planula pace measures the speed, make bench everything"},
+};
+
 const Command &command_called(const std::string &name) {
     std::vector<std::string_view> names;
     for (const Command *command : all_commands()) {
         if (command->name == name) return *command;
         names.push_back(command->name);
     }
+    if (name.ends_with(".lua"))
+        throw UsageError("a command comes before the script, as in planula run " + name +
+                         "\nsee planula --help");
+    for (const auto &[other, words] : other_names)
+        if (name == other)
+            throw UsageError("planula has no command '" + name + "': " + std::string(words) +
+                             "\nsee planula --help");
     throw UsageError("planula has no command '" + name + "'" + suggestion(name, names) +
                      "\nsee planula --help");
 }

@@ -119,4 +119,10 @@ std::string size_text(double bytes) {
     return to_fixed(bytes / (1000 * megabyte), 2) + " GB";
 }
 
+std::string evaluations_text(double evaluations) {
+    constexpr double million = 1e6;
+    if (evaluations < million) return to_fixed(evaluations, 0) + " evaluations";
+    return to_fixed(evaluations / million, 2) + " million evaluations";
+}
+
 } // namespace planula

@@ -44,5 +44,7 @@ Cost cost_of(const Spec &setting, const Measured &measured);
 std::string long_time(double seconds);
 /// "3.2 MB", "1.25 GB".
 std::string size_text(double bytes);
+/// "1080 evaluations", "96.00 million evaluations".
+std::string evaluations_text(double evaluations);
 
 } // namespace planula

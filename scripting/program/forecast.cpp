@@ -33,7 +33,7 @@ class Forecast {
     int run() {
         measure_all();
         console_.out << "forecast of " << experiment_.name << ": " << runs_.size() << " runs, "
-                     << to_fixed(evaluations_ / 1e6, 2) << " million evaluations\n";
+                     << evaluations_text(evaluations_) << '\n';
         tell_settings();
         tell_whole();
         return 0;

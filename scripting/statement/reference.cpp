@@ -155,11 +155,14 @@ std::string functions() {
 }
 
 constexpr std::string_view about_statistics = R"(
-The function of a claim is called as `f(runs, stats)`. `runs` shows the recorded runs, read-only: `runs.NAME` or `runs["NAME"]`
-is a setting, `#runs` and `runs[i]` are all that have runs. A setting has `name`, `title`, `generations`, `population`, and
-its runs, `setting[1]` … `setting[#setting]`, by ascending seed. A run has `seed`, `endpoints` and `archive`. A field after g
-generations is `run.best_fitness[g]`, or false where the run has no such value; `setting.best_fitness[g]` is the list of
-all runs. `run.champion.elongation[g]` is of the best individual up to then.
+The function of a table is called as `f(runs, stats)`, that of a claim as `f(runs, stats, claim)`. `runs` shows the recorded
+runs, read-only: `runs.NAME` or `runs["NAME"]` is a setting, `#runs` and `runs[i]` are all that have runs. A setting has
+`name`, `title`, `generations`, `population`, and its runs, `setting[1]` … `setting[#setting]`, by ascending seed. A field
+after g generations is `run.best_fitness[g]`, or false where the run has no such value; `setting.best_fitness[g]` is the
+list of all runs. `run.champion.elongation[g]` is of the best individual up to then. A run also has `seed`;
+`run.endpoints`, a list of `{generation, x, y}`, how far randomly sampled viable individuals came; and `run.archive`, the
+list of its entries at the end, `{generation, fitness, behaviour}`, while `setting.archive[g]` is their number after g
+generations. These generations count from 1, too.
 ([0023](paper/decisions/0023-functions-of-the-runs.md))
 )";
 

@@ -69,6 +69,27 @@ function report_room(name, message) {
     errors++
 }
 
+# Notes the unordered containers of a file and of its header, which loops go over a variable, and whose begin() is taken.
+function look_for_walks(   stem, name) {
+    stem = FILENAME
+    sub(/\.[a-z]+$/, "", stem)
+    if (match(code, /unordered_(multi)?(map|set) ?<.*> +[A-Za-z_0-9]+ *[;={(]/)) {
+        name = substr(code, RSTART, RLENGTH)
+        sub(/ *[;={(]$/, "", name)
+        sub(/.*[ >]/, "", name)
+        unordered[stem, name] = 1
+    }
+    name = ""
+    if (match(code, /for ?\(.* : [A-Za-z_0-9]+\)/)) {
+        name = substr(code, RSTART, RLENGTH - 1)
+        sub(/.* : /, "", name)
+    } else if (match(code, /[A-Za-z_0-9]+\.c?begin\(\)/)) {
+        name = substr(code, RSTART, RLENGTH)
+        sub(/\..*/, "", name)
+    }
+    if (name != "") walks[stem, name, FILENAME, FNR] = FILENAME ":" FNR
+}
+
 # An include of a system header.
 function check_system(header) {
     if (header ~ /^(fstream|iostream|cstdio|stdio\.h)$/ && !within("storage record language program"))
@@ -139,6 +160,14 @@ code ~ qualified || (code ~ bare && !is_file("core/base/math")) {
 code ~ /std ?:: ?[a-z_]+_distribution|std ?:: ?(random_device|mt19937|minstd_rand|default_random_engine|shuffle|random_shuffle|sample)[^A-Za-z0-9_]|(^|[^A-Za-z0-9_:.>])s?rand(om)? ?\(/ {
     report("chance that differs between libraries: use a Stream of base/random.h")
 }
+code ~ /std ?:: ?(transform_)?reduce[^A-Za-z0-9_]|std ?:: ?hash[^A-Za-z0-9_]/ {
+    report("an order or a hash that differs between libraries: sum in a loop; sort by innovation, id, slot or index")
+}
+code ~ /std ?:: ?(time|clock) ?\(|(^|[^A-Za-z0-9_])(clock_gettime|gettimeofday) ?\(/ && !within("language program") {
+    report("a clock outside language and program: results may not depend on it")
+}
+# Unordered containers may be looked into, but not walked through: their order differs between libraries.
+{ look_for_walks() }
 code ~ /(^|[^A-Za-z0-9_])(getenv|secure_getenv|setlocale)|std ?:: ?locale/ && !within("program") {
     report("environment or locale outside program: results may depend on neither")
 }
@@ -154,6 +183,13 @@ code ~ /lua_c?pcall *\(/ && parts[1] == "scripting" && !is_file("scripting/langu
 }
 
 END {
+    for (walk in walks) {
+        split(walk, of, SUBSEP)
+        if ((of[1], of[2]) in unordered) {
+            print walks[walk] ": walks through " of[2] ", an unordered container, whose order differs between libraries"
+            errors++
+        }
+    }
     if (!rooms) { print "layering: no room line found"; errors++ }
     check_rooms()
     if (errors) { printf "layering: %d violations\n", errors; exit 1 }

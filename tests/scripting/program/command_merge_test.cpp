@@ -129,5 +129,10 @@ BOOST_AUTO_TEST_CASE(merge_says_which_folder_it_cannot_use) {
     const Said nowhere = planula_says({"merge", from, place.path / "nowhere", "--into", place.path / "into"});
     BOOST_TEST(nowhere.code == 65);
     BOOST_TEST(contains(nowhere.err, (place.path / "nowhere").string() + " is not a folder"), nowhere.err);
+    const Said above = planula_says({"merge", place.path, "--into", place.path / "into"});
+    BOOST_TEST(above.code == 65);
+    BOOST_TEST(contains(above.err, "has no runs, <setting>/seed-NNN; give the folder that was --out of " +
+                                       (from / "small/seed-001").string()),
+               above.err);
     BOOST_TEST(!fs::exists(place.path / "into"));
 }

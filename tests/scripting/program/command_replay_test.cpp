@@ -77,6 +77,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_replayed_is_refused_before_anything_is_simul
     refused({place.run(), "--generation", "1"}, 2, "--generation and --slot are given together");
     refused({place.run(), "--generation", "7", "--slot", "1"}, 65, ": no generation 7; they are 0 to 1");
     refused({place.run(), "--genome", "999"}, 65, "is not a champion");
+    refused({place.run(), "--svg", place.path / "strip.png"}, 2, "write --png ");
     refused({"/nowhere"}, 65, "/nowhere is not a folder");
     refused({place.run(), "--html", place.path}, 73, "exists and is not a file; it is not replaced");
     refused({place.run(), "--svg", "/nowhere/strip.svg"}, 73, "/nowhere/strip.svg");

@@ -108,9 +108,23 @@ BOOST_AUTO_TEST_CASE(status_reports_how_far_the_runs_are) {
     const Said each = planula_says({"status", place.runs(), "--runs"});
     BOOST_TEST(contains(each.out, place.run(1).string() + ": 2 generations complete, "), each.out);
     BOOST_TEST(contains(each.out, place.run(3).string() + ": no generations complete, "), each.out);
-    BOOST_TEST(
-        contains(planula_says({"status", place.run(1)}).out, "no run (<setting>/seed-NNN) in this folder"));
     BOOST_TEST(planula_says({"status", place.path / "nowhere"}).code == 65);
+}
+
+BOOST_AUTO_TEST_CASE(status_finds_runs_at_any_depth) {
+    const Workplace place;
+    BOOST_REQUIRE(place.run_says({"--seeds", "1:2"}).code == 0);
+    const auto begins = [](const fs::path &folder, const std::string &with) {
+        const Said said = planula_says({"status", folder});
+        BOOST_TEST(said.out.starts_with(with), folder.string() + ": " + said.out);
+    };
+    begins(place.runs(), "2 runs, ");
+    begins(place.path, "2 runs, ");
+    begins(fs::path(place.run(1)).parent_path(), "2 runs, ");
+    begins(place.run(1), "1 run, ");
+    BOOST_TEST(contains(planula_says({"status", place.run(1), "--runs"}).out, place.run(1).string() + ": "));
+    fs::create_directories(place.path / "empty");
+    begins(place.path / "empty", "no run (<setting>/seed-NNN) in this folder or below it\n0 runs, ");
 }
 
 BOOST_AUTO_TEST_CASE(status_in_json_says_the_same) {

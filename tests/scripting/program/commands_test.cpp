@@ -80,6 +80,8 @@ BOOST_AUTO_TEST_CASE(a_bad_command_line_ends_with_2_and_the_nearest_name) {
     const Said misspelt = planula_says({"chek"});
     BOOST_TEST(misspelt.code == 2);
     BOOST_TEST(contains(misspelt.err, "no command 'chek'; did you mean 'check'?"));
+    BOOST_TEST(contains(planula_says({"mine.lua"}).err, "as in planula run mine.lua"));
+    BOOST_TEST(contains(planula_says({"resume"}).err, "no command 'resume': planula run resumes"));
     const Workplace place;
     const auto refused = [&](std::vector<std::string> words, const std::string &part) {
         words.insert(words.begin(), {"run", place.script(), "--out", place.runs()});
