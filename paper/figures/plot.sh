@@ -36,7 +36,8 @@ echo "figures: reducing ${#complete[@]} runs after $generations generations …"
 figures=$(texlua paper/figures/plan.lua "$out/tables" "$out/frames" "$runs" "$out/plan")
 draw() { # FILE SCRIPT: gnuplot's warnings, as of a setting without data, are shown only if it fails
     gnuplot -e "data='$out/tables'; layout='$out/plan'; out='$1'" "$2" 2> "$out/plan/log" || { cat "$out/plan/log" >&2; fail "gnuplot could not draw $1"; }
-    LC_ALL=C sed -i 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' "$1" # the date of the day
+    # For a line without data gnuplot writes a point of size 0 into an SVG, which librsvg refuses.
+    LC_ALL=C sed -i -e "/<use .* scale(0\.00)/d" -e 's/^\( *\/CreationDate (D:\)[0-9]*[^)]*/\120151217000000Z/' "$1" # the date of the day
 }
 for figure in $figures; do
     script=$out/plan/$figure.gp

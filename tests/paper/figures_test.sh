@@ -12,7 +12,8 @@ cd "$sources"
 fail() { echo "figures_test: $1" >&2; [[ ! -f $folder/said ]] || cat "$folder/said" >&2; exit 1; }
 run() { "$planula" run "$folder/$1.lua" --out "$folder/$1" --threads 1 > "$folder/said" 2>&1 || fail "could not run $1"; }
 plot() { bash paper/figures/plot.sh "$planula" "$folder/$1" "$folder/out" "$2" > "$folder/said" 2>&1 || fail "could not draw $1"; }
-drawn() { for name in "$@"; do [[ -s $folder/out/$name.svg ]] || fail "$name.svg is missing"; done; }
+drawn() { for name in "$@"; do [[ -s $folder/out/$name.svg ]] || fail "$name.svg is missing"
+    ! grep -q 'scale(0\.00)' "$folder/out/$name.svg" || fail "$name.svg has a point of size 0, which librsvg refuses"; done; }
 not_drawn() { for name in "$@"; do [[ ! -e $folder/out/$name.svg ]] || fail "$name.svg was drawn"; grep -q "^left out: $name: " "$folder/said" || fail "does not say why there is no $name"; done; }
 # The words of a picture; gnuplot writes a text in one piece or in several.
 words() { sed -E 's/<[^>]*>//g' "$folder/out/$1.svg" | tr -d '\n\t' | sed 's/&lt;/</g; s/&gt;/>/g; s/&amp;/\&/g'; }
