@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_CASE(a_forecast_reports_time_disk_and_memory_and_writes_nothing)
     const Said said = place.run_says({"--forecast", "--generations", "30", "--cores", "8"});
     BOOST_TEST(said.code == 0, said.err);
     for (const char *part :
-         {"forecast of small: 2 runs, 0.00 million evaluations\n",
+         {"forecast of small: 2 runs, 360 evaluations\n",
           "measured here: generations 1 to 10 of each setting, seed 1\n", "evaluations/core-s",
           "core-hours a run", "\nsmall ", "\ntime:   ", " core-hours; ",
           " on the 1 threads of this command; ", " on 8 cores of a cluster, one run on each\n",
