@@ -57,6 +57,10 @@ std::vector<SettingRuns> survey(std::span<const Spec> settings, const RunChoice 
     if (std::all_of(all.begin(), all.end(), [](const SettingRuns &setting) { return setting.runs.empty(); }))
         throw InputError("there is no run of this experiment below " + choice.folder.string() + " that has " +
                          to_text(settings.front().parameters.design.generations) + " generations");
+    for (const SettingRuns &setting : all)
+        if (setting.runs.empty() && choice.seeds.empty())
+            choice.tell("left out: the setting " + setting.spec->name + ": there is no run of it in " +
+                        (choice.folder / setting.spec->name).string());
     return all;
 }
 

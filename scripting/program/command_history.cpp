@@ -67,7 +67,7 @@ const Command &lineage_command() {
         "RUN",
         "prints the ancestors of an individual, mother by mother",
         R"(RUN is the folder of a complete run, or a folder with only one run below it. Prints a CSV table, the oldest ancestor first; planula columns explains it under
-lineage.csv.)",
+lineage.csv. Unchanged copies are left out: a mother without a line is a copy of the individual in the line above.)",
         lineage_options,
         print_lineage};
     return command;

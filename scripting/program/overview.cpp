@@ -12,27 +12,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder itself, and every folder given as --out that has runs in it; or, if it lies in one, that one.
+/// The folders given as --out whose runs lie at or below this one, or which it lies in, and the folder itself.
 std::set<fs::path> outs_of(const fs::path &folder) {
     std::set<fs::path> outs{folder};
-    for (const fs::path &run : folders_with_runs(folder)) outs.insert(run.parent_path().parent_path());
+    for (const fs::path &run : folders_with_runs(folder)) {
+        const fs::path below = run.lexically_relative(folder);
+        const bool is_deep = std::distance(below.begin(), below.end()) >= 2;
+        outs.insert((is_deep ? run : fs::canonical(run)).parent_path().parent_path());
+    }
     return outs;
+}
+
+/// Whether a run is the folder itself or lies below it.
+bool is_within(const fs::path &run, const fs::path &folder) {
+    const fs::path below = fs::weakly_canonical(run).lexically_relative(fs::weakly_canonical(folder));
+    return !below.empty() && *below.begin() != "..";
 }
 
 } // namespace
 
-Overview overview_of(const fs::path &folder) {
+Overview overview_of(const fs::path &asked) {
+    const fs::path folder = asked.has_filename() ? asked : asked.parent_path(); // without a slash at its end
     Overview all;
-    std::error_code none;
-    const fs::path whole = fs::canonical(folder, none);
-    for (const fs::path &out : outs_of(none ? folder : whole)) {
-        for (RunStatus &run : statuses(out)) {
-            // A folder within --out, of one setting or one run, has only some of its runs.
-            const fs::path below = run.folder.lexically_relative(whole);
-            if (below.empty() || *below.begin() == "..") continue;
-            run.folder = below == "." ? folder : folder / below;
-            all.runs.push_back(std::move(run));
-        }
+    for (const fs::path &out : outs_of(folder)) {
+        // A folder of one setting or of one run has only some of the runs.
+        for (RunStatus &run : statuses(out))
+            if (out == folder || is_within(run.folder, folder)) all.runs.push_back(std::move(run));
         for (const ProgressRow &row : read_progress(out)) all.processes.push_back(row);
     }
     std::sort(all.runs.begin(), all.runs.end(),

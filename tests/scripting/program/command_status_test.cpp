@@ -119,6 +119,7 @@ BOOST_AUTO_TEST_CASE(status_finds_runs_at_any_depth) {
         BOOST_TEST(said.out.starts_with(with), folder.string() + ": " + said.out);
     };
     begins(place.runs(), "2 runs, ");
+    begins(fs::path(place.runs()) / "", "2 runs, "); // a slash at its end
     begins(place.path, "2 runs, ");
     begins(fs::path(place.run(1)).parent_path(), "2 runs, ");
     begins(place.run(1), "1 run, ");
