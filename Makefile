@@ -74,7 +74,7 @@ frames: program ## simulate the best individuals of each setting again and write
 	@$(MAKE) $(FRAMES)/frames.csv
 
 figures: deps-paper program ## draw the article's figures from the tables; RUNS=DIR draws those of your own runs, EXPERIMENT=FILE runs a script first: build/figures/<name>, as FORMATS="pdf svg png"
-	@if [ -n '$(own)' ]; then $(MAKE) own-figures; else $(MAKE) figure-files; echo 'figures: $(FIGURES)'; fi
+	@$(if $(own),$(MAKE) own-figures,$(MAKE) figure-files; echo 'figures: $(FIGURES)')
 
 # What the caller names may hold spaces and quotation marks, so the shell takes it from the environment.
 own-figures: export EXPERIMENT := $(EXPERIMENT)
