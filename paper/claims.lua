@@ -67,6 +67,13 @@ local function with(verdict, of)
 end
 function claims.number(verdict, of) return tostring(#with(verdict, of)) end
 
+-- The same without the claims that were used to choose the reading.
+function claims.evident(verdict)
+  local count = 0
+  for _, row in ipairs(with(verdict)) do if row.calibrated ~= '1' then count = count + 1 end end
+  return tostring(count)
+end
+
 -- How many claims with this verdict the corrected p decides as well.
 function claims.corrected(verdict)
   local count = 0
@@ -163,13 +170,13 @@ local function probability(text, name)
   return name .. (value:match '^%$<' and '\\,' or '\\,=\\,') .. value
 end
 
--- A comparison in words: novelty search has the higher values ($A_{12}$ = 0.62 [0.44, 0.80], p = 0.21; inconclusive).
+-- A comparison in words: novelty search is ahead in more pairs of runs ($A_{12}$ = 0.62 [0.44, 0.80], p = 0.21; inconclusive).
 function claims.comparison(id)
   local row = named(id)[1]
   local effect = tonumber(row.effect)
   if row.effect_name ~= 'A12' or not effect then return 'there are no data yet' end
-  local side = effect == 0.5 and 'neither search has the higher values'
-    or search_of(effect > 0.5 and row.setting_a or row.setting_b) .. ' has the higher values'
+  local side = effect == 0.5 and 'neither search is ahead in more pairs of runs'
+    or search_of(effect > 0.5 and row.setting_a or row.setting_b) .. ' is ahead in more pairs of runs'
   local p = tonumber(row.p) and probability(row.p, '$p$') .. '; ' or ''
   return ('%s ($A_{12}$\\,=\\,%s, %s%s)'):format(side, typeset.interval(row, 'effect'), p, reached(row))
 end
@@ -250,7 +257,7 @@ end
 
 -- The headings of the table: the first claim under each.
 claims.headings = {
-  S1 = 'Best fitness of a generation', S6a = 'Mean best fitness over all generations', S7a = 'Lasting gaits', S8 = 'The best runs',
+  S1 = 'Best fitness of a generation', S6a = 'Mean best fitness over all generations', S7a = 'Cyclic gaits', S8 = 'The best runs',
   S11a = 'Exploration', S12a = 'Diversity of fitness', S13a = 'Diversity of sizes',
 }
 

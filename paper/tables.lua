@@ -34,7 +34,7 @@ function tables.manifest(key) return typeset.in_words(assert(data.manifest[key],
 function tables.manifest_percent(key) return (percent_of(data.manifest[key]):gsub('%.0$', '')) end
 function tables.share_drawn()
   local same = tonumber(data.manifest.endpoint_share) <= 0.01
-  return same and 'shows as many' or 'shows 1\\,\\% (too few points of such short runs)'
+  return same and 'shows as many' or 'shows 1\\,\\% (too few points for such short runs)'
 end
 function tables.version() return escape(data.manifest.version) end
 
@@ -252,7 +252,7 @@ function tables.print_power()
     'test & truth & repr. & contr. & repr. & contr. \\\\\\midrule' }
   local lines = { '\\begin{longtable}{@{}llrrrr@{}}',
     '\\caption{Power of the tests of the claims: how often, in per cent, they reproduce (repr.) or contradict (contr.) a claim when the truth is known, with 20 runs of each setting, in '
-    .. tables.power_repetitions() .. ' simulations of each row. Truth: $A_{12}$ of normally distributed values unless stated otherwise, or the share of runs without a lasting gait. Left: decided by the $p$ of the claim alone. '
+    .. tables.power_repetitions() .. ' simulations of each row. Truth: $A_{12}$ of normally distributed values unless stated otherwise, or the share of runs without a cyclic gait. Left: decided by the $p$ of the claim alone. '
     .. 'Right: decided by $p$ corrected over all of Table~\\ref{tab:claims}, if no other $p$ is small.}\\label{tab:power}\\\\', '\\toprule' }
   table.move(head, 1, #head, #lines + 1, lines)
   lines[#lines + 1] = '\\endfirsthead\\toprule'

@@ -16,20 +16,9 @@ namespace {
 /// What accumulates over the generations of a run.
 class Tally {
   public:
-    Tally(int population, double direction_distance)
-        : population_(population), direction_distance_(direction_distance) {}
+    explicit Tally(int population) : population_(population) {}
 
-    void add(const GenerationRow &row) {
-        last_ = row;
-
-        // On which side the best ended; where it rested counts for neither.
-        if (std::abs(row.best_x) < direction_distance_) return;
-        const int side = (row.best_x > 0) - (row.best_x < 0);
-        if (side == 0) return;
-        switches_ += side_ != 0 && side != side_;
-        side_ = side;
-    }
-
+    void add(const GenerationRow &row) { last_ = row; }
     void add(const SizeRow &row) { sizes_[row.cells] += row.individuals; }
 
     RunFacts facts(const ChampionRow &champion) const {
@@ -44,17 +33,27 @@ class Tally {
         facts.valid_share = static_cast<double>(last_.valid) / population_;
         if (last_.best_fitness > 0)
             facts.fitness_spread = (last_.fitness_high - last_.fitness_low) / last_.best_fitness;
-        facts.side_switches = switches_;
         return facts;
     }
 
   private:
     int population_;
-    double direction_distance_;
     GenerationRow last_;
     std::map<int, std::int64_t> sizes_; // individuals by cell count
-    int side_ = 0, switches_ = 0;
 };
+
+/// How often the best so far ended on another side, before a generation; nearer than the distance counts for neither.
+int side_switches(const std::vector<ChampionRow> &champions, int generations, double direction_distance) {
+    int switches = 0, before = 0;
+    for (const ChampionRow &champion : champions) {
+        if (champion.generation >= generations) break;
+        if (champion.x == 0 || std::abs(champion.x) < direction_distance) continue;
+        const int side = champion.x > 0 ? 1 : -1;
+        switches += before != 0 && side != before;
+        before = side;
+    }
+    return switches;
+}
 
 /// Where the sampled individuals of a run went that moved.
 class Headings {
@@ -171,7 +170,7 @@ RunHistory read_history(const RecordedRun &run, int generations, int fitness_cla
     const std::vector<ChampionRow> champions = read_champions(run);
     RunHistory history;
     history.seed = run.seed;
-    Tally tally(run.population, direction_distance);
+    Tally tally(run.population);
     TableReader<GenerationRow> rows(run.folder);
     ByGeneration<SizeRow> sizes(run);
     for (int number = 0; number < generations; ++number) {
@@ -181,8 +180,10 @@ RunHistory read_history(const RecordedRun &run, int generations, int fitness_cla
         history.after[number + 1] = tally.facts(champion_after(champions, number + 1));
     }
     const Headings headings(run, generations, direction_distance);
-    for (auto &[generation, facts] : history.after)
+    for (auto &[generation, facts] : history.after) {
         facts.direction_resultant = headings.resultant(generation);
+        facts.side_switches = side_switches(champions, generation, direction_distance);
+    }
     history.fitness_shares = read_fitness_shares(run, generations, fitness_classes);
     return history;
 }

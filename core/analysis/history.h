@@ -24,7 +24,7 @@ struct RunFacts {
         fitness_spread; // interquartile range over the highest fitness, valid, last generation; none if that is 0
     Maybe
         direction_resultant; // mean resultant length of the end directions of those that moved; none without any
-    int side_switches = 0; // of the best of each generation that moved to a side
+    int side_switches = 0; // of the best so far that moved to a side
 };
 
 /// A run as it was after some generations, which may be fewer than it has.

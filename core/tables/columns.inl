@@ -239,7 +239,7 @@ COLUMN(Maybe, fitness_spread_last, "1", "interquartile range of fitness over the
 COLUMN(double, shape_diversity_first, "1", "mean morphological distance of the viable individuals of generation 0, see generations.csv")
 COLUMN(double, shape_diversity_last, "1", "the same of the last generation")
 COLUMN(Maybe, direction_resultant, "1", "mean resultant length of the end directions of the sampled individuals (1 in 100, at least 1000) that moved by the direction_distance of the statistics, one cell unless stated; 1: all went one way; empty if none moved")
-COLUMN(int, side_switches, "switches", "how often the best of a generation ended on the other side than the best before it; who ended nearer than that to where it rested is on neither")
+COLUMN(int, side_switches, "switches", "how often the best so far was replaced by one that ended on the other side; who ended nearer than that to where it rested is on neither")
 END_TABLE
 
 TABLE(CurveRow, "curves.csv")

@@ -35,7 +35,7 @@ return planula.fill({
       a = "osc-aq-ns", b = "osc-aq-neat", generation = 2000, expect = "greater",
     },
     tests.best_at_generation {
-      id = "S2", statement = "Walkers with oscillators: no difference after 2000 generations",
+      id = "S2", statement = "Walkers with oscillators: no significant difference after 2000 generations",
       section = "§3.2", paper = "p = 0.30",
       a = "osc-te-ns", b = "osc-te-neat", generation = 2000, expect = "no_difference",
       bound = no_large_effect,
@@ -53,7 +53,7 @@ return planula.fill({
       a = "grn-aq-ns", b = "grn-aq-neat", generation = 800, expect = "greater",
     },
     tests.best_at_generation {
-      id = "S4b", statement = "Swimmers with gene networks: no difference after 2000 generations",
+      id = "S4b", statement = "Swimmers with gene networks: no significant difference after 2000 generations",
       section = "§3.3", paper = "not significant",
       a = "grn-aq-ns", b = "grn-aq-neat", generation = 2000, expect = "no_difference",
       bound = no_large_effect,
@@ -64,7 +64,7 @@ return planula.fill({
       a = "grn-te-ns", b = "grn-te-neat", generation = 800, expect = "greater",
     },
     tests.best_at_generation {
-      id = "S5b", statement = "Walkers with gene networks: no difference after 2000 generations",
+      id = "S5b", statement = "Walkers with gene networks: no significant difference after 2000 generations",
       section = "§3.3", paper = "p = 0.10",
       a = "grn-te-ns", b = "grn-te-neat", generation = 2000, expect = "no_difference",
       bound = no_large_effect,
@@ -151,14 +151,14 @@ return planula.fill({
       section = "§3.1", paper = "2 of 2", a = "grn-aq-neat", b = "grn-aq-ns", count = 2,
     },
 
-    -- §3.4: how the searches explore. Water: directions; land: which side the best of a generation runs to. The paper
+    -- §3.4: how the searches explore. Water: directions; land: which side the best so far runs to. The paper
     -- says of gene networks "qualitatively similar (not shown)".
     tests.direction {
       id = "S11a", statement = "Swimmers with oscillators: novelty search explores directions more evenly",
       section = "§3.4", paper = "Fig. 8", a = "osc-aq-ns", b = "osc-aq-neat", expect = "less",
     },
     tests.side_switches {
-      id = "S11b", statement = "Walkers with oscillators: novelty search's best switches sides more often",
+      id = "S11b", statement = "Walkers with oscillators: novelty search's best so far changes sides more often",
       section = "§3.4", paper = "Fig. 9", a = "osc-te-ns", b = "osc-te-neat", expect = "greater",
     },
     tests.direction {
@@ -166,26 +166,26 @@ return planula.fill({
       section = "§3.4", paper = "not shown", a = "grn-aq-ns", b = "grn-aq-neat", expect = "less",
     },
     tests.side_switches {
-      id = "S11d", statement = "Walkers with gene networks: novelty search's best switches sides more often",
+      id = "S11d", statement = "Walkers with gene networks: novelty search's best so far changes sides more often",
       section = "§3.4", paper = "not shown", a = "grn-te-ns", b = "grn-te-neat",
       expect = "greater",
     },
 
     -- §3.5: the spread of fitness in the last generation, relative to the highest.
     tests.fitness_spread {
-      id = "S12a", statement = "Swimmers with oscillators: NEAT loses fitness diversity", calibrated = true,
+      id = "S12a", statement = "Swimmers with oscillators: fitness varies less with NEAT", calibrated = true,
       section = "§3.5", paper = "Fig. 11", a = "osc-aq-neat", b = "osc-aq-ns", expect = "less",
     },
     tests.fitness_spread {
-      id = "S12b", statement = "Walkers with oscillators: NEAT loses fitness diversity", calibrated = true,
+      id = "S12b", statement = "Walkers with oscillators: fitness varies less with NEAT", calibrated = true,
       section = "§3.5", paper = "Fig. 11", a = "osc-te-neat", b = "osc-te-ns", expect = "less",
     },
     tests.fitness_spread {
-      id = "S12c", statement = "Swimmers with gene networks: NEAT loses fitness diversity", calibrated = true,
+      id = "S12c", statement = "Swimmers with gene networks: fitness varies less with NEAT", calibrated = true,
       section = "§3.5", paper = "Fig. 11", a = "grn-aq-neat", b = "grn-aq-ns", expect = "less",
     },
     tests.fitness_spread {
-      id = "S12d", statement = "Walkers with gene networks: NEAT loses fitness diversity", calibrated = true,
+      id = "S12d", statement = "Walkers with gene networks: fitness varies less with NEAT", calibrated = true,
       section = "§3.5", paper = "Fig. 11", a = "grn-te-neat", b = "grn-te-ns", expect = "less",
     },
 

@@ -134,7 +134,7 @@ tests.direction = rank_test("direction", function(setting, generations)
   return setting.direction_resultant[generations]
 end)
 
--- How often the generation's best changed sides up to that generation.
+-- How often the best so far changed sides up to that generation.
 tests.side_switches = rank_test("side_switches", function(setting, generations)
   return setting.side_switches[generations]
 end)
@@ -279,7 +279,7 @@ function tests.cyclic(statement)
   need(is_count(options.count, 0), statement,
     "count must be a whole number of at least 0, not " .. tostring(options.count))
   need(is_between(options.bound, 0, 1), statement,
-    "bound must be above 0 and below 1, the share of runs without a lasting gait, not " .. tostring(options.bound))
+    "bound must be above 0 and below 1, the share of runs without a cyclic gait, not " .. tostring(options.bound))
 
   function claim.judge(runs, stats, this)
     local champion, found = runs[this.a].champion, 0
@@ -292,7 +292,7 @@ function tests.cyclic(statement)
     local ours = #way
     local stuck = found + math.min(options.count, original_runs)
     local finding = {
-      effect_name = "runs without a lasting gait", effect = found, method = "exact", verdict = "inconclusive",
+      effect_name = "runs without a cyclic gait", effect = found, method = "exact", verdict = "inconclusive",
       p = stats.hypergeometric(found, ours + original_runs, stuck, ours),
       p_equivalence = stats.binomial(found, ours, options.bound),
     }

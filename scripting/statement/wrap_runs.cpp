@@ -81,7 +81,7 @@ const std::vector<Field> &fields_of_run() {
             FACT(direction_resultant, "1",
                  "mean resultant length of the end directions of the individuals in the sample so far that "
                  "moved; missing if none did"),
-            FACT(side_switches, "switches", "how often the best of a generation changed sides so far")};
+            FACT(side_switches, "switches", "how often the best so far changed sides")};
         add_columns<GenerationRow>(
             fields, [](const RunHistory &history, int generations, std::size_t column) {
                 return number_in(history.generations[static_cast<std::size_t>(generations) - 1], column);

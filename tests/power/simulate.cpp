@@ -257,7 +257,7 @@ void add_count_tests(std::vector<Judged> &all) {
                 for (RunHistory &history : settings[0].histories)
                     if (stream.chance(share)) history.after.at(1).champion.late_share = 0;
             };
-            all.push_back({"lasting gaits but " + to_text(count), "share without " + to_text(share),
+            all.push_back({"cyclic gaits but " + to_text(count), "share without " + to_text(share),
                            claim_of("cyclic", "level = 0.1, bound = 0.25, count = " + to_text(count)), stop});
         }
 }

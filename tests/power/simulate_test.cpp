@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(the_error_rate_of_every_test_is_at_most_the_stated_one) {
     for (const auto &row : kept("power.csv")) {
         const std::string &test = row[0], &truth = row[1];
         const double reproduced = number(row[4]), contradicted = number(row[5]);
-        const bool equivalence = test.starts_with("equivalence"), gaits = test.starts_with("lasting");
+        const bool equivalence = test.starts_with("equivalence"), gaits = test.starts_with("cyclic");
         const std::string what = test + ": " + truth;
         const auto check = [&](double rate, double most) {
             BOOST_TEST(rate < most, what);

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(facts_are_as_computed_by_hand) {
     BOOST_TEST(late.champion.fitness == 15);
     BOOST_TEST(late.valid_share == 0.8);
     BOOST_TEST(late.fitness_spread.value() == (8.5 - 5.5) / 10, tolerance(1e-12));
-    BOOST_TEST(late.side_switches == 2);
+    BOOST_TEST(late.side_switches == 1); // nobody surpasses generation 1
     BOOST_TEST(late.with_fitness == 16);
 }
 
@@ -76,10 +76,11 @@ BOOST_AUTO_TEST_CASE(all_in_one_direction_have_the_resultant_one) {
 }
 
 BOOST_AUTO_TEST_CASE(an_individual_that_stands_still_has_no_direction_and_no_side) {
-    // Slot 0 moves two cells up, the others tremble, ever more of them to the left: all that move go one way.
+    // Slot 0 moves two cells up, ever better, and the others tremble: all that move go one way.
     const TemporaryFolder folder;
     const auto place = write_fake_run(folder.path(), fake_spec("ns", 4, 6), 1, [](int generation, int slot) {
-        if (slot == 0) return FakeLife{.fitness = 9, .moved = {generation % 2 ? 0.5 : -0.5, 2}};
+        if (slot == 0)
+            return FakeLife{.fitness = 9.0 + generation, .moved = {generation % 2 ? 0.5 : -0.5, 2}};
         return FakeLife{.fitness = 1, .moved = {slot % 3 ? -0.9 : 0.9, 0}};
     });
     const RecordedRun run = open_run(place);
@@ -90,6 +91,19 @@ BOOST_AUTO_TEST_CASE(an_individual_that_stands_still_has_no_direction_and_no_sid
     BOOST_TEST(trembling.direction_resultant.value() < 0.6);
     BOOST_TEST(trembling.side_switches == 3);
     BOOST_TEST(!read_history(run, 4, 4, 3).after.at(4).direction_resultant.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(only_a_new_best_so_far_changes_sides) {
+    // The best of each generation: where it ends along x, and its fitness.
+    constexpr double ends[] = {2, -2, 3, -3, -4, 0.5, 5}, fitness[] = {1, 0.5, 2, 3, 4, 5, 6};
+    const TemporaryFolder folder;
+    const auto place = write_fake_run(folder.path(), fake_spec("ns", 7, 2), 1, [&](int generation, int slot) {
+        return FakeLife{.fitness = slot == 0 ? fitness[generation] : 0.1, .moved = {ends[generation], 0}};
+    });
+    const RunHistory history = read_history(open_run(place), 7, 4, 1);
+    for (int generations = 1; generations <= 7; ++generations)
+        BOOST_TEST(history.after.at(generations).side_switches ==
+                   std::vector({0, 0, 0, 1, 1, 1, 2})[generations - 1]);
 }
 
 BOOST_AUTO_TEST_CASE(directions_of_a_long_run_are_those_of_its_sample) {
