@@ -59,7 +59,8 @@ add { name = "map-elites", search = "map-elites", behaviour = descriptors.size_a
 add { name = "bodies-first", search = "novelty", start = { generations = 4, behaviour = descriptors.shape },
       parameters = brief { generations = 2 } }
 
--- Each rule that a choice of the model names beside the standard one (paper/decisions/0020-readings.md).
+-- Rules that choices of the model name beside the standard ones (paper/decisions/0020-readings.md). Recorded results of
+-- tests/core/development/ and tests/core/analysis/ cover `both` and `plane`.
 add { name = "turns", search = "novelty", actuation = "grn",
       parameters = brief { division_turn = "daughter", division_angle_range = 0.5, gait_time = "rising", start_weight = 2 } }
 add { name = "aged-novelty", search = "novelty", parameters = planula.fill({ novelty_species = "aged" }, species) }
