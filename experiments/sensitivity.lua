@@ -6,6 +6,6 @@
 return planula.fill({
   name = "sensitivity",
   title = "Evolved animats under other values",
-  parameters = { seeds = 1, generations = 50 },
+  parameters = { seeds = 1, generations = 100 },
   sensitivity = { sample = 200, factors = { 0.5, 2 } },
 }, require "paper.replication")
