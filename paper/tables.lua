@@ -491,7 +491,7 @@ end
 
 -- Number, title and text of every decision.
 function tables.print_decisions()
-  local lines = { '\\begin{description}\\setlength\\itemsep{2pt}\\setlength\\parsep{0pt}' }
+  local lines = { '\\begin{description}\\setlength\\leftmargin{1em}\\setlength\\itemindent{-1em}\\setlength\\itemsep{2pt}\\setlength\\parsep{0pt}' }
   for _, name in ipairs(decisions()) do
     local text = io.open(decisions_folder .. '/' .. name):read 'a'
     local title = assert(text:match '\n?# (.-)\n', name .. ' has no title')
