@@ -126,10 +126,6 @@ void add_setting(const Values &values, const std::string &measure, const std::st
 
 // ---- Two settings ----
 
-std::string counted(int count, bool pairs) {
-    return to_text(count) + (pairs ? " pair" : " run") + (count == 1 ? "" : "s");
-}
-
 /// The values of both settings: pairs of the same seed, or all there are.
 struct Matched {
     std::vector<double> a, b;
@@ -153,9 +149,9 @@ Matched match(const Values &a, const Values &b, bool by_seed) {
 /// What is left out, or why shared seeds make no pairs.
 std::string note_of(const Matched &both, const Values &a, const Values &b, bool by_seed) {
     const int more = static_cast<int>(std::max(a.size(), b.size())) - both.shared;
-    if (both.pairs && more > 0) return counted(more, false) + " without a partner of the same seed left out";
+    if (both.pairs && more > 0) return counted(more, "run") + " without a partner of the same seed left out";
     if (both.pairs || !by_seed || both.shared == 0) return "";
-    return counted(both.shared, true) +
+    return counted(both.shared, "pair") +
            " of the same seed among runs of other seeds: compared as independent "
            "samples; --seeds chooses those that are pairs";
 }
@@ -183,11 +179,12 @@ std::string why_too_few(const ComparisonRow &row, double least, double significa
     if (!pairs && std::min(row.runs_a, row.runs_b) >= enough)
         return "so many values are equal that p is never below " + never;
     std::string text =
-        pairs ? counted(different, true) : counted(row.runs_a, false) + " against " + to_text(row.runs_b);
+        pairs ? counted(different, "pair") : counted(row.runs_a, "run") + " against " + to_text(row.runs_b);
     const bool is_one = pairs && different == 1;
     if (pairs && different < row.pairs) text += is_one ? " that differs" : " that differ";
     return text + (is_one ? " is" : " are") + " too few for a test, whose p is never below " + never +
-           "; at least " + counted(enough, pairs) + (pairs ? "" : " of each setting") + " are needed";
+           "; at least " + counted(enough, pairs ? "pair" : "run") + (pairs ? "" : " of each setting") +
+           " are needed";
 }
 
 void add_note(const std::string &note, ComparisonRow &row) {

@@ -55,10 +55,6 @@ const Measure &measure_of(const ComparisonRow &row, const ComparisonPlan &plan) 
                          [&](const Measure &measure) { return measure.name == row.measure; });
 }
 
-std::string counted(int count, const char *noun) {
-    return to_text(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 int tests_of(const Comparisons &comparisons) {
     return static_cast<int>(std::count_if(comparisons.rows.begin(), comparisons.rows.end(),
                                           [](const ComparisonRow &row) { return row.p.has_value(); }));

@@ -213,9 +213,7 @@ std::string film_picture(const LifeRecording &recording, const FilmFrame &frame,
         const GrowthFrame &shown = recording.growth[frame.frame];
         view.centre = centre_of_mass(shown.cells);
         content = draw_world(nullptr, view) + draw_body(moment_of(shown, recording), radius, view);
-        words = "growth, " + step_text(shown.step) + ", " +
-                to_text(static_cast<std::int64_t>(shown.cells.size())) +
-                (shown.cells.size() == 1 ? " cell" : " cells");
+        words = "growth, " + step_text(shown.step) + ", " + counted(shown.cells.size(), "cell");
     } else {
         const GaitFrame &shown = recording.gait[frame.frame];
         const Environment &world = world_at(shown.step, recording);

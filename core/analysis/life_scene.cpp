@@ -183,8 +183,7 @@ std::string draw_scale(const View &view) {
     return "<path d=\"M 10 " + number(y - 4) + " V " + number(y) + " H " + number(10 + width) + " V " +
            number(y - 4) + "\" fill=\"none\" stroke=\"" + std::string(svg::ink) +
            "\" stroke-width=\"1.5\"/>\n" +
-           svg::text({10 + width / 2, y - 7}, "middle", 11,
-                     to_text(cells) + (cells == 1 ? " cell" : " cells"));
+           svg::text({10 + width / 2, y - 7}, "middle", 11, counted(cells, "cell"));
 }
 
 } // namespace planula

@@ -21,10 +21,6 @@ std::string channel_name(const Genome &genome, const NodeGene &node) {
     return "";
 }
 
-std::string counted(std::size_t count, const std::string &what) {
-    return to_text(static_cast<std::int64_t>(count)) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string padded(std::string text, std::size_t width) {
     return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
 }
@@ -69,10 +65,9 @@ std::string description_of(const Genome &genome) {
     constexpr std::size_t name_width = 22;
     constexpr int decimals = 3;
     std::string text = "genome " + to_text(genome.id) + ", " + origin_of(genome) + "\n" +
-                       counted(static_cast<std::size_t>(genome.inputs), "input") + ", " +
-                       counted(static_cast<std::size_t>(genome.outputs), "output") + ", " +
-                       counted(static_cast<std::size_t>(genome.hidden()), "hidden node") + ", " +
-                       counted(genome.links.size(), "link") + "\n";
+                       counted(genome.inputs, "input") + ", " + counted(genome.outputs, "output") + ", " +
+                       counted(genome.hidden(), "hidden node") + ", " + counted(genome.links.size(), "link") +
+                       "\n";
     for (const NodeGene &node : fed_nodes(genome)) {
         text.append("\n").append(name_of(genome, node));
         if (node.kind == NodeKind::hidden) text += ", depth " + to_text(node.depth);

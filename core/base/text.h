@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers as text, without locale: the shortest decimal that reads back to the same bits.
+// Numbers as text, without locale: the shortest decimal that reads back to the same bits. Names that are near others.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,11 @@ std::string to_text(std::int64_t value);
 inline std::string to_text(int value) { return to_text(static_cast<std::int64_t>(value)); }
 /// Fixed notation with `decimals` digits after the point, for people; not meant to be read back.
 std::string to_fixed(double value, int decimals);
+
+/// A whole number with its noun in the singular or plural: "1 run", "2 runs".
+template <class Count> std::string counted(Count count, std::string_view noun) {
+    return to_text(static_cast<std::int64_t>(count)).append(" ").append(noun).append(count == 1 ? "" : "s");
+}
 
 /// The whole text as a number; nothing if any character is left over or the value is out of range.
 std::optional<double> parse_double(std::string_view text);

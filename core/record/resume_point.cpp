@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/state.h"
 #include "experiment/run_state.h"
+#include "record/run_folder.h"
 #include "tables/archive_table.h"
 
 namespace planula {
@@ -31,6 +32,11 @@ class Finder {
         if (!find_in_states(find_checkpoint(), complete) && !point_.kept &&
             (complete > 0 || !point_.damaged.empty()))
             refuse(complete);
+        if (point_.tables == From::journal && !has_journals(folder_))
+            throw InputError(
+                folder_.string() +
+                " has states of a complete run and no manifest.csv: the folder is not whole. Nothing was "
+                "changed. Bring the file back, or move the folder away to begin the run again.");
         return std::move(point_);
     }
 

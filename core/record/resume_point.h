@@ -30,7 +30,7 @@ struct ResumePoint {
 
 /// The resume point of the run with this identity (Identity::sha256()), `complete` generations of which are published.
 /// A state within these belongs to the published tables, a later one to the journals. Throws InputError for a state of
-/// another run, and if there were states and none can be read.
+/// another run, if there were states and none can be read, and if its journals are not there.
 ResumePoint find_resume_point(const std::filesystem::path &folder, const std::string &identity, int complete);
 
 /// Whether a process is making, or was making, a run longer that has this many complete generations: there is a

@@ -33,10 +33,6 @@ constexpr std::size_t specimens_of_many = 4;
 // Sizes on disk are measured in so small a run.
 constexpr int measured_population = 20, measured_generations = 2;
 
-std::string count_of(std::size_t count, const std::string &what) {
-    return to_text(static_cast<std::int64_t>(count)) + " " + what + (count == 1 ? "" : "s");
-}
-
 /// Every k-th of them, so that `most` or a few more are left.
 std::vector<Genome> thinned(std::vector<Genome> genomes, std::size_t most) {
     const std::size_t step = std::max<std::size_t>(genomes.size() / most, 1);
@@ -127,13 +123,13 @@ class Check {
 
     void tell_experiment() const {
         console_.out << "ok: " << arguments_.operands[0] << ": " << experiment_.name << ", "
-                     << count_of(experiment_.settings.size(), "setting") << ':';
+                     << counted(experiment_.settings.size(), "setting") << ':';
         for (const Spec &setting : experiment_.settings) console_.out << ' ' << setting.name;
         console_.out << '\n';
         if (lives_ > 0)
             console_.out << "trial lives: " << viable_ << " of " << lives_
                          << " end viable, of evolved specimens in "
-                         << count_of(experiment_.settings.size(), "setting") << "; simulated in "
+                         << counted(experiment_.settings.size(), "setting") << "; simulated in "
                          << to_fixed(simulated_seconds_, 2) << " s of processor time\n";
     }
 
@@ -148,11 +144,10 @@ class Check {
         const std::size_t count = seeds_of(arguments_, experiment_).size(),
                           runs = experiment_.settings.size() * count;
         const double seeds = static_cast<double>(count), hours = seconds_ * seeds / 3600;
-        console_.out << "estimated: " << count_of(runs, "run") << ", "
+        console_.out << "estimated: " << counted(runs, "run") << ", "
                      << evaluations_text(evaluations_ * seeds) << '\n'
                      << "  time    " << to_fixed(hours, 2) << " core-hours ("
-                     << long_time(seconds_ * seeds / threads_) << " on "
-                     << count_of(static_cast<std::size_t>(threads_), "thread")
+                     << long_time(seconds_ * seeds / threads_) << " on " << counted(threads_, "thread")
                      << "), if all individuals take as long as the trial lives\n"
                      << "  disk    " << size_text(bytes * seeds) << ", and " << size_text(unfinished)
                      << " more for each unfinished run, from runs of " << measured_generations

@@ -64,8 +64,7 @@ class Describe {
     int print() {
         out_ << "experiment " << experiment_.name
              << (experiment_.title.empty() ? "" : ": " + experiment_.title) << ", "
-             << to_text(static_cast<std::int64_t>(experiment_.settings.size()))
-             << (experiment_.settings.size() == 1 ? " setting\n" : " settings\n");
+             << counted(experiment_.settings.size(), "setting") << '\n';
         print_settings();
         print_environments();
         print_departures();

@@ -104,8 +104,7 @@ class RunCommand {
         } catch (const Stopped &) {
             throw Stopped("stopped; all results so far are saved, and the same command resumes");
         }
-        progress.tell(to_text(static_cast<std::int64_t>(runs_.size())) +
-                      (runs_.size() == 1 ? " run" : " runs") + " done, in " + out_.string());
+        progress.tell(counted(runs_.size(), "run") + " done, in " + out_.string());
         return 0;
     }
 

@@ -70,16 +70,16 @@ void print_text(const Overview &all, bool each, std::ostream &out) {
     for (const RunStatus &run : all.runs)
         if (each || !run.trouble.empty()) out << run.folder.string() << ": " << text_of(run) << '\n';
     if (all.runs.empty()) out << "no run (<setting>/seed-NNN) in this folder or below it\n";
-    out << all.runs.size() << (all.runs.size() == 1 ? " run, " : " runs, ") << size_text(all.bytes) << ", "
-        << all.evaluations << " evaluations\n";
+    out << counted(all.runs.size(), "run") << ", " << size_text(all.bytes) << ", " << all.evaluations
+        << " evaluations\n";
     print_counts(all, out);
     if (all.processes.empty()) {
         out << "no process is working on them\n";
         return;
     }
     for (const ProgressRow &row : all.processes)
-        out << "a process runs " << row.runs << (row.runs == 1 ? " run" : " runs") << " to generation "
-            << row.level << "; " << row.runs_done << " are done\n";
+        out << "a process runs " << counted(row.runs, "run") << " to generation " << row.level << "; "
+            << row.runs_done << " are done\n";
     if (!(all.rate > 0)) {
         out << "the speed is not known yet\n";
         return;

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <ctime>
 #include <ostream>
+#include <set>
 
 #include <unistd.h>
 
@@ -50,8 +51,8 @@ class VerifyCommand {
         simulate();
         tell();
         if (failures_.empty()) return 0;
-        throw InputError("verify: " + to_text(static_cast<std::int64_t>(failures_.size())) +
-                         " runs differ from their record");
+        throw InputError("verify: " + counted(failed_.size(), "run") +
+                         (failed_.size() == 1 ? " differs from its record" : " differ from their record"));
     }
 
   private:
@@ -76,9 +77,10 @@ class VerifyCommand {
         for (const std::filesystem::path &folder : folders_with_runs(folder_)) {
             if (!std::filesystem::exists(folder / ManifestRow::file_name)) {
                 console_.err << folder.string() << ": not complete, not checked\n";
+                ++unchecked_;
                 continue;
             }
-            attempt([&] { runs_.push_back(open_run(folder)); });
+            attempt(folder, [&] { runs_.push_back(open_run(folder)); });
         }
         if (runs_.empty() && failures_.empty())
             throw InputError(folder_.string() + ": there is no complete run");
@@ -87,7 +89,8 @@ class VerifyCommand {
     void compare_files() {
         std::vector<RecordedRun> sound;
         for (RecordedRun &run : runs_) {
-            const bool holds = attempt([&] { check_consistency(run); });
+            const bool holds = attempt(run.folder, [&] { check_consistency(run); });
+            ++checked_;
             generations_ += run.generations;
             absent_states_ += absent_states(run.folder, run.manifest);
             if (holds) sound.push_back(std::move(run));
@@ -116,7 +119,7 @@ class VerifyCommand {
             console_.err << task.run->folder.string() << ": generations " << task.stretch.first << " to "
                          << task.stretch.last << " …" << std::endl;
             // A stretch that could not be simulated to its end, or differs, tells nothing of the others.
-            attempt([&] {
+            attempt(task.run->folder, [&] {
                 const SettingForRun own = recorded_setting(*task.run);
                 recompute(*task.run, own.spec, task.stretch, threads_, [&] { return interrupt.requested(); });
                 simulated_ += task.stretch.length();
@@ -128,10 +131,11 @@ class VerifyCommand {
         std::ostream &out = console_.out;
         for (const std::string &line : failures_) out << line << '\n';
         const double share = generations_ > 0 ? static_cast<double>(simulated_) / generations_ : 0;
-        out << "verify: " << runs_.size() << " runs of " << generations_
-            << " generations in all: their files " << (failures_.empty() ? "agree" : "do not all agree")
-            << "; " << simulated_ << " generations simulated again as recorded (" << to_fixed(100 * share, 1)
+        out << "verify: " << counted(checked_, "run") << " of " << counted(generations_, "generation")
+            << " in all: their files " << (failures_.empty() ? "agree" : "do not all agree") << "; "
+            << simulated_ << " generations simulated again as recorded (" << to_fixed(100 * share, 1)
             << " %, --draw " << draw_ << ").\n";
+        if (unchecked_ > 0) out << "Not complete and not checked: " << counted(unchecked_, "run") << ".\n";
         if (absent_states_ > 0)
             out << "Kept states that were removed: " << absent_states_
                 << ". The stretches around them are longer; no result depends on them.\n";
@@ -139,13 +143,14 @@ class VerifyCommand {
             << to_fixed(1 - share, 3) << ".\n";
     }
 
-    // Whether an action ends without an error in the data, whose message is kept.
-    template <class Action> bool attempt(Action &&action) {
+    // Whether an action on a run ends without an error in the data, whose message is kept.
+    template <class Action> bool attempt(const std::filesystem::path &run, Action &&action) {
         try {
             action();
             return true;
         } catch (const InputError &error) {
             failures_.push_back(error.what());
+            failed_.insert(run);
             return false;
         }
     }
@@ -158,7 +163,8 @@ class VerifyCommand {
     const std::uint64_t draw_;
     std::vector<RecordedRun> runs_;
     std::vector<std::string> failures_;
-    int generations_ = 0, simulated_ = 0, absent_states_ = 0;
+    std::set<std::filesystem::path> failed_;
+    int checked_ = 0, unchecked_ = 0, generations_ = 0, simulated_ = 0, absent_states_ = 0;
 };
 
 int verify(const Arguments &arguments, Console &console) { return VerifyCommand(arguments, console).run(); }

@@ -56,9 +56,6 @@ std::string read_part(const std::filesystem::path &file) {
 /// How much there is, in words.
 std::string lead_of(const ReportSources &sources, std::size_t runs) {
     const Experiment &experiment = sources.experiment;
-    const auto counted = [](std::size_t count, const std::string &what) {
-        return to_text(static_cast<std::int64_t>(count)) + " " + what + (count == 1 ? "" : "s");
-    };
     return "Experiment " + experiment.name + ": " + counted(runs, "run") + " of " +
            counted(experiment.settings.size(), "setting") + ", in " + sources.runs.choice.folder.string();
 }

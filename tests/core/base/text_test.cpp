@@ -27,6 +27,12 @@ BOOST_AUTO_TEST_CASE(numbers_round_trip_to_the_bit) {
         BOOST_TEST(to_text(std::copysign(std::numeric_limits<double>::quiet_NaN(), sign)) == "nan");
 }
 
+BOOST_AUTO_TEST_CASE(a_noun_follows_its_number) {
+    BOOST_TEST(counted(1, "run") == "1 run");
+    BOOST_TEST(counted(0, "run") == "0 runs");
+    BOOST_TEST(counted(std::size_t{2}, "kept state") == "2 kept states");
+}
+
 BOOST_AUTO_TEST_CASE(only_whole_texts_are_numbers) {
     for (const char *text : {"", " 1", "1 ", "1,5", "0x10", "1e", "--1", "+1", "ten"})
         BOOST_TEST(!parse_double(text));

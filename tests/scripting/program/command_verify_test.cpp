@@ -20,7 +20,7 @@ std::string found_in(const fs::path &folder, std::vector<std::string> words = {"
     words.insert(words.begin(), {"verify", folder, "--threads", "1"});
     const Said said = planula_says(words);
     BOOST_TEST(said.code == 65, said.out);
-    BOOST_TEST(contains(said.err, "runs differ from their record"), said.err);
+    BOOST_TEST(contains(said.err, "1 run differs from its record"), said.err);
     return said.out;
 }
 
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(unaltered_runs_are_verified_as_far_as_is_asked) {
     // One percent of a run is at least one stretch, and the same draw gives the same stretch.
     const Said one = planula_says({"verify", place.run(), "--draw", "3"});
     BOOST_TEST(one.code == 0, one.out);
-    BOOST_TEST(contains(one.out, "verify: 1 runs of 28 generations in all"), one.out);
+    BOOST_TEST(contains(one.out, "verify: 1 run of 28 generations in all"), one.out);
     BOOST_TEST(planula_says({"verify", place.run(), "--draw", "3"}).err == one.err);
     for (const char *share : {"-1", "101", "x", "nan"})
         BOOST_TEST(planula_says({"verify", place.run(), "--share", share}).code == 2, share);
@@ -178,6 +178,7 @@ BOOST_AUTO_TEST_CASE(verify_reports_folders_without_a_complete_run) {
     const Said said = planula_says({"verify", place.runs(), "--share", "0"});
     BOOST_TEST(said.code == 0, said.out);
     BOOST_TEST(said.err == place.run(2).string() + ": not complete, not checked\n");
+    BOOST_TEST(contains(said.out, "Not complete and not checked: 1 run."), said.out);
     test::write(place.run(3) / "manifest.csv", "key,value\n");
     BOOST_TEST(
         contains(found_in(place.runs()),
