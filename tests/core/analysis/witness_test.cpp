@@ -86,9 +86,9 @@ BOOST_AUTO_TEST_CASE(a_champion_that_moves_while_its_muscles_hold_still_is_flagg
                            {moved(20), moved(half), moved(20), moved(20), {}, unrest})
             .flag;
     };
-    BOOST_TEST(flag(20, 0.99) == "");
-    BOOST_TEST(flag(20, 1.01) == "perpetual motion");
-    BOOST_TEST(flag(10, 1.01) == "integration exploit");
+    BOOST_TEST(flag(20, 2.99) == "");
+    BOOST_TEST(flag(20, 3.01) == "perpetual motion");
+    BOOST_TEST(flag(10, 3.01) == "integration exploit");
 }
 
 BOOST_AUTO_TEST_CASE(bodies_pressed_on_themselves_come_to_rest_once_their_muscles_hold_still) {
