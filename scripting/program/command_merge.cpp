@@ -79,13 +79,13 @@ int merge(const Arguments &arguments, Console &console) {
     const FolderLock held(into);
     Gathered all;
     for (const std::string &from : arguments.operands) gather(from, into, all, console.err);
-    console.out << into.string() << ": " << all.copied << " runs copied, " << all.longer
+    console.out << into.string() << ": " << counted(all.copied, "run") << " copied, " << all.longer
                 << " replaced by a longer one, " << all.known << " there already, "
                 << (all.unfinished > 0 ? to_text(all.unfinished) + " left out as unfinished, " : "")
                 << all.refused << " refused\n";
     if (all.refused > 0)
-        throw InputError("merge: " + to_text(all.refused) +
-                         " runs were refused; they are unchanged in both folders");
+        throw InputError("merge: " + counted(all.refused, "run") +
+                         " refused; both folders hold what they held");
     return 0;
 }
 

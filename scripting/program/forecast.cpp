@@ -32,7 +32,7 @@ class Forecast {
 
     int run() {
         measure_all();
-        console_.out << "forecast of " << experiment_.name << ": " << runs_.size() << " runs, "
+        console_.out << "forecast of " << experiment_.name << ": " << counted(runs_.size(), "run") << ", "
                      << evaluations_text(evaluations_) << '\n';
         tell_settings();
         tell_whole();

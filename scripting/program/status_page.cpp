@@ -155,9 +155,9 @@ std::string head(const Overview &all, const std::string &written, int refresh) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width\">\n";
     if (refresh > 0) text += "<meta http-equiv=\"refresh\" content=\"" + to_text(refresh) + "\">\n";
-    text += "<title>planula: " + to_text(static_cast<int>(all.runs.size())) + " runs</title>\n<style>\n" +
+    text += "<title>planula: " + counted(all.runs.size(), "run") + "</title>\n<style>\n" +
             std::string(style) + "</style>\n</head>\n<body>\n<h1>Runs under way</h1>\n<p class=\"quiet\">" +
-            to_text(static_cast<int>(all.runs.size())) + " runs have begun. Written " + markup_text(written);
+            "Begun: " + counted(all.runs.size(), "run") + ". Written " + markup_text(written);
     return text + (refresh > 0 ? "; this page loads again every " + to_text(refresh) + " s" : "") + ".</p>\n";
 }
 

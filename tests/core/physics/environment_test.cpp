@@ -60,7 +60,8 @@ BOOST_AUTO_TEST_CASE(obstacles_that_break_a_rule_are_refused_with_it) {
     refused(obstacle({{5, 0}, {7, 0}, {7, 0}, {6, 2}}), "must not cross or touch itself");
     refused(obstacle({{5, 0}, {7, 0}, {7, 2}, {6, 0}}), "must not cross or touch itself");
     refused(obstacle({{0.3, 0.5}, {3, 0}, {3, 3}}), "its distance from (0, 0.5) must be half a cell or more");
-    refused(obstacle({{-9, -1}, {9, -1}, {9, 9}, {-9, 9}}), "its distance from (0, 0.5) must be half a cell or more");
+    refused(obstacle({{-9, -1}, {9, -1}, {9, 9}, {-9, 9}}),
+            "its distance from (0, 0.5) must be half a cell or more");
     Environment many = specimens::land();
     many.obstacles.push_back({std::vector<Vec2d>(10001, {5, 1})});
     refused(many, "10000 points in all");

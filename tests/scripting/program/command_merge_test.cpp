@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(an_unfinished_run_is_merged_and_resumes) {
     const pid_t child = start(place.path / "said", {"run", place.script(), "--seeds", "1", "--generations",
                                                     "100000", "--checkpoint", "1", "--out", from});
     BOOST_TEST(kill_once_there(child, from / "small/seed-001/checkpoint.previous") == -SIGKILL);
-    BOOST_TEST(contains(planula_says({"merge", from, "--into", into}).out, "1 runs copied"));
+    BOOST_TEST(contains(planula_says({"merge", from, "--into", into}).out, "1 run copied"));
     const Said said = planula_says({"run", place.script(), "--seeds", "1", "--out", into});
     BOOST_TEST(contains(said.err, "small seed 1: resumes with generation "), said.err);
     const std::string generations = std::to_string(complete_generations(into / "small/seed-001"));
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(contradicting_runs_are_refused_by_name_and_the_others_merge
     const auto before = all_files(from), there = all_files(into);
     const Said said = planula_says({"merge", from, "--into", into});
     BOOST_TEST(said.code == 65);
-    BOOST_TEST(contains(said.out, "1 runs copied, 0 replaced by a longer one, 0 there already, 5 refused\n"),
+    BOOST_TEST(contains(said.out, "1 run copied, 0 replaced by a longer one, 0 there already, 5 refused\n"),
                said.out);
     for (const std::string &line :
          {seed(from, 2).string() + " and " + seed(into, 2).string() +
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(the_next_merge_completes_one_that_was_killed) {
     fs::rename(setting / "seed-001", setting / "seed-001.replaced");
     const Said said = planula_says({"merge", from, "--into", into});
     BOOST_TEST(said.code == 0, said.err);
-    BOOST_TEST(contains(said.out, "1 runs copied, 1 replaced by a longer one"), said.out);
+    BOOST_TEST(contains(said.out, "1 run copied, 1 replaced by a longer one"), said.out);
     BOOST_TEST(difference(from, into) == "");
 }
 
