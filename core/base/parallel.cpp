@@ -103,10 +103,12 @@ void parallel_for(int count, int threads, const std::function<void(int)> &task) 
 }
 
 void Workers::each(int count, const std::function<void(int)> &task) const {
-    if (crew_)
+    if (!crew_)
+        parallel_for(count, threads_, task);
+    else if (!around_)
         crew_->share(job_, count, task);
     else
-        parallel_for(count, threads_, task);
+        crew_->share(job_, count, [&](int index) { around_([&] { task(index); }); });
 }
 
 int hardware_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <utility>
 
 namespace planula {
 
@@ -56,8 +57,11 @@ void parallel_for(int count, int threads, const std::function<void(int)> &task);
 /// The threads that compute the tasks of a job: its own, or a crew shared with others. No result depends on which.
 class Workers {
   public:
+    /// Is called in place of each task, on the task's thread, and calls it once.
+    using Around = std::function<void(const std::function<void()> &task)>;
+
     Workers(int threads) : threads_(threads) {}
-    Workers(Crew &crew, int job) : crew_(&crew), job_(job) {}
+    Workers(Crew &crew, int job, Around around = {}) : crew_(&crew), job_(job), around_(std::move(around)) {}
 
     /// As parallel_for().
     void each(int count, const std::function<void(int)> &task) const;
@@ -66,6 +70,7 @@ class Workers {
     int threads_ = 1;
     Crew *crew_ = nullptr;
     int job_ = 0;
+    Around around_;
 };
 
 /// The number of threads that this machine runs at once, at least 1.

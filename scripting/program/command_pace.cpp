@@ -115,7 +115,7 @@ class PaceCommand {
         experiment_.functions[index]->begin_run();
         Stopwatch stopwatch(setting.name);
         double best = 0;
-        const Progress::Open open(progress, setting.name);
+        const Progress::Open open(progress);
         planula::run(
             setting, paced_seed, threads_,
             [&](const Generation &generation) {

@@ -168,7 +168,7 @@ class RunCommand {
             progress.tell(to_text(done) + " of " + to_text(runs) + " runs have " +
                           to_text(generations_of(runs_.front(), level)) + " generations already");
         crew_.work(static_cast<int>(open.size()), [&](int job) {
-            run_one(open[static_cast<std::size_t>(job)], level, {crew_, job}, interrupt, progress);
+            run_one(open[static_cast<std::size_t>(job)], level, job, interrupt, progress);
         });
     }
 
@@ -190,8 +190,7 @@ class RunCommand {
     }
 
     // Shares only the crew, the progress and the sources of the scripts with other runs.
-    void run_one(const PlannedRun &run, int level, const Workers &workers, const Interrupt &interrupt,
-                 Progress &progress) {
+    void run_one(const PlannedRun &run, int level, int job, const Interrupt &interrupt, Progress &progress) {
         SettingForRun setting = setting_for_run(experiment_, run.setting);
         Spec &spec = setting.spec;
         JudgingFunctions &functions = *setting.functions;
@@ -205,13 +204,16 @@ class RunCommand {
             return;
         }
         spec.parameters.design.generations = writer.generations();
-        const Progress::Open open(progress, name);
+        Progress::Open open(progress);
+        const Workers workers(crew_, job, [&](const std::function<void()> &task) { open.measure(task); });
         RunState state = start(setting, name, run.seed, writer, workers, stop, progress);
         Reused reused;
         const auto observe = [&](const Generation &generation) {
             writer.observe(generation);
             reused.add(generation);
-            progress.generation(report_of(spec, name, generation, writer.best_fitness()));
+            GenerationReport report = report_of(spec, name, generation, writer.best_fitness());
+            report.busy = open.take_busy();
+            progress.generation(report);
         };
         try {
             planula::run(

@@ -51,7 +51,7 @@ class Forecast {
         Progress progress(console_.err, console_.terminal, evaluations);
         for (const std::size_t i : settings_) {
             const SettingForRun own = setting_for_run(experiment_, i);
-            const Progress::Open open(progress, own.spec.name);
+            const Progress::Open open(progress);
             const auto show = [&](const Generation &generation) {
                 GenerationReport report = report_of(own.spec, own.spec.name, generation,
                                                     generation.evaluations[generation.best].fitness);

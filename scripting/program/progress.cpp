@@ -88,16 +88,26 @@ void Progress::reach() {
     ++runs_done_;
 }
 
-Progress::Open::Open(Progress &progress, std::string run) : progress_(progress), run_(std::move(run)) {
+Progress::Open::Open(Progress &progress) : progress_(progress) {
     const std::lock_guard lock(progress_.mutex_);
     ++progress_.open_;
-    progress_.left_.open(run_, progress_.seconds());
+    progress_.left_.open(progress_.seconds());
 }
 
 Progress::Open::~Open() {
     const std::lock_guard lock(progress_.mutex_);
     --progress_.open_;
-    progress_.left_.close(run_, progress_.seconds());
+    progress_.left_.close(progress_.seconds());
+}
+
+void Progress::Open::measure(const std::function<void()> &task) {
+    const Clock::time_point began = Clock::now();
+    task();
+    busy_ += std::chrono::nanoseconds(Clock::now() - began).count();
+}
+
+double Progress::Open::take_busy() {
+    return std::chrono::duration<double>(std::chrono::nanoseconds(busy_.exchange(0))).count();
 }
 
 Standing Progress::standing() const {
@@ -117,7 +127,8 @@ void Progress::generation(const GenerationReport &report) {
     done_ += report.evaluations;
     subtract(planned_, report.setting, report.evaluations);
     subtract(planned_level_, report.setting, report.evaluations);
-    left_.done(report.run, report.setting, report.evaluations, now);
+    left_.done(report.setting, report.evaluations, report.busy > 0 ? report.busy : now - reported_, now);
+    reported_ = now;
     if (now - shared_ >= seconds_between_shares) {
         shared_ = now;
         share_(standing());

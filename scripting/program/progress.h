@@ -8,6 +8,7 @@
 #include "experiment/run.h"
 #include "program/time_left.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -36,6 +37,7 @@ struct GenerationReport {
     std::string unit;                // of fitness; may be empty
     double viable = 0;               // share of the generation
     int evaluations = 0;
+    double busy = 0; // seconds of threads that they took; 0: the time since the report before
 };
 
 /// The unit of a setting's fitness: that of the paper's function is a distance, what another one measures is not known.
@@ -65,14 +67,19 @@ class Progress {
     /// A run that is being computed, as long as this exists.
     class Open {
       public:
-        Open(Progress &progress, std::string run);
+        explicit Open(Progress &progress);
         ~Open();
         Open(const Open &) = delete;
         Open &operator=(const Open &) = delete;
 
+        /// Does a task of the run and measures how long it takes. Any thread may call it.
+        void measure(const std::function<void()> &task);
+        /// The seconds of all tasks that were measured since this was called last.
+        double take_busy();
+
       private:
         Progress &progress_;
-        const std::string run_;
+        std::atomic<std::int64_t> busy_ = 0; // nanoseconds
     };
 
     void generation(const GenerationReport &report);
@@ -96,7 +103,7 @@ class Progress {
     TimeLeft left_;
     bool on_line_ = false; // the rewritten line is on the screen
     const Clock::time_point start_ = Clock::now();
-    double shown_ = 0, shared_ = 0; // when that was done last
+    double shown_ = 0, shared_ = 0, reported_ = 0; // when that was done last
 };
 
 /// "3 h 20 min", "4 min 5 s", "12 s".

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "program/time_left.h"
 
+#include <algorithm>
+
 namespace planula {
 
 namespace {
@@ -12,40 +14,40 @@ constexpr double kept = 0.96; // weight of a report when the next one comes: the
 
 } // namespace
 
-void TimeLeft::Cost::add(double more_seconds, double more_evaluations) {
-    seconds = kept * seconds + more_seconds;
+void TimeLeft::Measured::add(double more_evaluations, double more_busy, double more_seconds) {
     evaluations = kept * evaluations + more_evaluations;
+    busy = kept * busy + more_busy;
+    seconds = kept * seconds + more_seconds;
 }
 
 void TimeLeft::advance(double now) {
-    if (!open_.empty()) shared_ += (now - now_) / static_cast<double>(open_.size());
+    if (open_ > 0) window_ += now - now_;
     now_ = now;
 }
 
-void TimeLeft::open(const std::string &run, double now) {
+void TimeLeft::open(double now) {
     advance(now);
-    open_[run] = shared_;
+    most_open_ = std::max(most_open_, ++open_);
 }
 
-void TimeLeft::close(const std::string &run, double now) {
+void TimeLeft::close(double now) {
     advance(now);
-    open_.erase(run);
+    --open_;
 }
 
-void TimeLeft::done(const std::string &run, const std::string &setting, double evaluations, double now) {
-    if (!open_.contains(run)) open(run, now_);
+void TimeLeft::done(const std::string &setting, double evaluations, double busy, double now) {
     advance(now);
-    double &reported = open_[run];
-    const double seconds = shared_ - reported;
-    reported = shared_;
-    costs_[setting].add(seconds, evaluations);
-    lately_.add(seconds, evaluations);
-    measured_ += seconds;
+    settings_[setting].add(evaluations, busy, window_);
+    lately_.add(evaluations, busy, window_);
+    passed_ += window_;
+    window_ = 0;
     ++reports_;
 }
 
+// Until each of the runs that are computed at once has reported, most of the busy time is not reported yet.
 bool TimeLeft::is_known() const {
-    return measured_ >= least_seconds && reports_ >= least_reports && lately_.evaluations > 0;
+    return passed_ >= least_seconds && reports_ >= std::max(least_reports, most_open_) &&
+           lately_.evaluations > 0 && lately_.busy > 0;
 }
 
 double TimeLeft::rate() const { return is_known() ? lately_.evaluations / lately_.seconds : 0; }
@@ -53,16 +55,15 @@ double TimeLeft::rate() const { return is_known() ? lately_.evaluations / lately
 double TimeLeft::seconds(const Workload &left) const {
     if (!is_known()) return 0;
     double known = 0, settings = 0;
-    for (const auto &[name, cost] : costs_)
-        if (cost.evaluations > 0) known += cost.seconds / cost.evaluations, settings += 1;
-    double seconds = 0;
+    for (const auto &[name, measured] : settings_)
+        if (measured.evaluations > 0) known += measured.cost(), settings += 1;
+    double busy = 0;
     for (const auto &[name, evaluations] : left) {
-        const auto own = costs_.find(name);
-        const bool is_measured = own != costs_.end() && own->second.evaluations > 0;
-        const double each = is_measured ? own->second.seconds / own->second.evaluations : known / settings;
-        seconds += each * static_cast<double>(evaluations);
+        const auto own = settings_.find(name);
+        const bool is_measured = own != settings_.end() && own->second.evaluations > 0;
+        busy += (is_measured ? own->second.cost() : known / settings) * static_cast<double>(evaluations);
     }
-    return seconds;
+    return busy * lately_.seconds / lately_.busy;
 }
 
 } // namespace planula

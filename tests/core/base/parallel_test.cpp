@@ -94,3 +94,19 @@ BOOST_AUTO_TEST_CASE(the_first_job_that_throws_ends_the_work_and_is_reported) {
         BOOST_TEST(begun == 2);
     }
 }
+
+BOOST_AUTO_TEST_CASE(what_is_called_around_tasks_is_called_once_for_each_task_of_its_job) {
+    Crew crew(3);
+    std::atomic<int> around[2] = {0, 0}, done[2] = {0, 0};
+    crew.work(2, [&](int job) {
+        const Workers workers(crew, job, [&](const std::function<void()> &task) {
+            task();
+            ++around[job];
+        });
+        for (int call = 0; call < 4; ++call) workers.each(25, [&](int) { ++done[job]; });
+    });
+    for (const int job : {0, 1}) {
+        BOOST_TEST(around[job] == 100);
+        BOOST_TEST(done[job] == 100);
+    }
+}

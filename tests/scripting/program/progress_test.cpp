@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(a_terminal_gets_one_line_that_is_rewritten_and_cleared) {
     std::ostringstream out;
     {
         Progress progress(out, true, {{"a", 100}});
-        const Progress::Open first(progress, "a seed 1");
+        const Progress::Open first(progress);
         usleep(250000);
         progress.generation(report("a seed 1", 1, 4, 12.345, 25));
         progress.tell("done");
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(several_runs_print_whole_lines) {
     std::ostringstream out;
     {
         Progress progress(out, true, {{"a", 100}});
-        const Progress::Open first(progress, "b seed 2"), second(progress, "b seed 3");
+        const Progress::Open first(progress), second(progress);
         usleep(250000);
         progress.generation(report("b seed 2", 0, 4, 1, 25));
         parallel_for(50, 4, [&](int i) { progress.tell("<" + std::to_string(i % 10) + " is done>"); });

@@ -4,7 +4,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <string>
-#include <vector>
 
 using namespace planula;
 
@@ -12,12 +11,12 @@ namespace {
 
 const auto nearly = boost::test_tools::tolerance(1e-9);
 
-/// A run of one setting that does `evaluations` every `seconds`, `times` times from `now` on; the time afterwards.
+/// A run that does `evaluations` every `seconds`, `times` times from `now` on, on one thread; the time afterwards.
 double compute(TimeLeft &left, const std::string &setting, double evaluations, double seconds, int times,
                double now) {
-    left.open(setting, now);
-    for (int i = 0; i < times; ++i) left.done(setting, setting, evaluations, now += seconds);
-    left.close(setting, now);
+    left.open(now);
+    for (int i = 0; i < times; ++i) left.done(setting, evaluations, seconds, now += seconds);
+    left.close(now);
     return now;
 }
 
@@ -26,11 +25,11 @@ double compute(TimeLeft &left, const std::string &setting, double evaluations, d
 BOOST_AUTO_TEST_CASE(nothing_is_said_before_enough_is_measured) {
     TimeLeft left;
     BOOST_TEST(left.rate() == 0);
-    left.open("a", 0);
-    left.done("a", "a", 100, 5);
-    left.done("a", "a", 100, 9);
+    left.open(0);
+    left.done("a", 100, 5, 5);
+    left.done("a", 100, 4, 9);
     BOOST_TEST(left.seconds({{"a", 100}}) == 0);
-    left.done("a", "a", 100, 12);
+    left.done("a", 100, 3, 12);
     BOOST_TEST(left.rate() > 0);
     BOOST_TEST(left.seconds({{"a", 100}}) > 0);
     BOOST_TEST(left.seconds({}) == 0);
@@ -47,17 +46,30 @@ BOOST_AUTO_TEST_CASE(each_setting_has_its_own_cost) {
 }
 
 BOOST_AUTO_TEST_CASE(runs_at_the_same_time_share_the_machine) {
-    // Four runs that together do 40 evaluations a second report one after the other: the time left is right from the
-    // first report that counts on, though three of four generations are still under way.
+    // Four runs that together do 40 evaluations a second on four threads report one after the other.
     TimeLeft left;
-    const std::vector<std::string> runs{"a", "b", "c", "d"};
-    for (const std::string &run : runs) left.open(run, 0);
+    for (int run = 0; run < 4; ++run) left.open(0);
     for (int generation = 1; generation <= 3; ++generation)
-        for (const std::string &run : runs) {
-            left.done(run, "x", 400, 40.0 * generation);
-            if (generation > 1 || run >= "c") BOOST_TEST(left.seconds({{"x", 4000}}) == 100, nearly);
+        for (int run = 0; run < 4; ++run) {
+            left.done("x", 400, 40, 40.0 * generation);
+            if (generation == 1 && run < 3)
+                BOOST_TEST(left.seconds({{"x", 4000}}) == 0); // most is not reported yet
         }
-    BOOST_TEST(left.rate() == 40, nearly);
+    BOOST_TEST(left.seconds({{"x", 4000}}) > 90);
+    BOOST_TEST(left.seconds({{"x", 4000}}) < 110);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_gets_few_threads_is_not_taken_for_a_slow_one) {
+    // Two runs of settings that cost the same, on two threads: tasks of the first come first, so that it does nine
+    // evaluations while the second does one. 20 evaluations take 10 s.
+    TimeLeft left;
+    left.open(0), left.open(0);
+    double now = 0;
+    for (int i = 0; i < 50; ++i) {
+        for (int report = 0; report < 9; ++report) left.done("first", 2, 2, now += 1);
+        left.done("second", 2, 2, now += 1);
+    }
+    BOOST_TEST(left.seconds({{"first", 1000}, {"second", 1000}, {"other", 1000}}) == 1500, nearly);
 }
 
 BOOST_AUTO_TEST_CASE(a_pause_between_runs_costs_nothing) {
